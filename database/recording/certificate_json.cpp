@@ -16,6 +16,7 @@ inline constexpr std::tuple fields_of<RecordingCertificate>{
     Field{"unseen_us", &RecordingCertificate::unsampled_us},
     Field{"clock_steps", &RecordingCertificate::clock_steps},
     Field{"faulted_ticks", &RecordingCertificate::faulted_ticks},
+    Field{"device_changed", &RecordingCertificate::has_changed_device},
     Field{"late_p50_us", &RecordingCertificate::late_p50_us},
     Field{"late_p99_us", &RecordingCertificate::late_p99_us},
     Field{"late_max_us", &RecordingCertificate::late_max_us},

@@ -29,6 +29,7 @@ Verdict verdict_of(const RecordingCertificate& certificate) {
   judge(is_above_share(certificate.missed_ticks, missed_share_max, ticks), Invalidity::TicksMissed);
   judge(is_above_share(certificate.faulted_ticks, faulted_share_max, ticks),
         Invalidity::DeviceFaulted);
+  judge(certificate.has_changed_device, Invalidity::DeviceChanged);
   return verdict;
 }
 

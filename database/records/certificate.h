@@ -34,6 +34,8 @@ struct RecordingCertificate {
   std::int64_t clock_steps = 0;
   /// That the device said nothing of, or nothing to be trusted.
   std::int64_t faulted_ticks = 0;
+  /// Mouse and keys have taken over from the device that it began with.
+  bool has_changed_device = false;
   double late_p50_us = 0.0, late_p99_us = 0.0, late_max_us = 0.0;
   /// Of the fullest ring towards the recorder [0, 1].
   double ring_share_max = 0.0;
@@ -59,7 +61,9 @@ enum class Invalidity {
   /// So few samples a second that a tremor falls between them.
   TicksMissed,
   /// Where the hand was is not known for too long.
-  DeviceFaulted
+  DeviceFaulted,
+  /// Two devices led the saw: it is comparable with neither.
+  DeviceChanged
 };
 
 /// Beyond any of them an attempt is not valid for grading. Lost, left out and doubled rows and
@@ -86,8 +90,8 @@ struct Verdict {
 Verdict verdict_of(const RecordingCertificate& certificate);
 
 template <>
-inline constexpr std::array<std::string_view, 7> stored_names<Invalidity>{
-    "samples_lost", "ticks_left_out", "ticks_doubled", "clock_stepped",
-    "time_unseen",  "ticks_missed",   "device_faulted"};
+inline constexpr std::array<std::string_view, 8> stored_names<Invalidity>{
+    "samples_lost", "ticks_left_out", "ticks_doubled",  "clock_stepped",
+    "time_unseen",  "ticks_missed",   "device_faulted", "device_changed"};
 
 }  // namespace hallux::database

@@ -41,6 +41,8 @@ struct RawDeviceState {
   std::uint32_t switches = 0;
   /// Of the packet that said it, where the device numbers them.
   std::uint64_t packet = 0;
+  /// From now on it is said by another that pushes nobody back and numbers nothing.
+  bool is_handed_over = false;
 };
 
 class HapticDevice {

@@ -21,8 +21,11 @@ DeviceDescription described(const Port& port, const PortDeviceSetup& setup) {
   return description;
 }
 
-SteeredDevice::Aim resting_at(const RigidTransform& world_from_start) {
-  return {world_from_start, 0, {0.0, 0.0, 0.0}};
+/// Before a window has said anything: the view is as the device lies.
+SteeredDevice::Aim resting_in(const PortDeviceSetup& setup) {
+  SteeredDevice::Aim aim{setup.world_from_start};
+  aim.world_from_view = setup.frame.world_from_device;
+  return aim;
 }
 
 }  // namespace
@@ -39,7 +42,7 @@ ArmDevice::ArmDevice(Port& port, const PortDeviceSetup& setup)
       setup_(setup),
       described_(described(port, setup)),
       turns_(described_.device_class == "arm6"),
-      aim_(resting_at(setup.world_from_start)),
+      aim_(resting_in(setup)),
       placing_(setup.frame),
       switches_(setup.buttons),
       world_from_saw_(setup.world_from_start) {}
@@ -62,12 +65,13 @@ bool ArmDevice::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
   }
   if (held_by_ != &port) placing_.set_down(device_from_hand(said.said), world_from_saw_);
   held_by_ = &port;
-  place(said.said, aim.world_from_target.rotation, ticks);
+  place(said.said, aim, ticks);
   // Nothing said is no force: the port lets go by itself, and begins softly.
   if (!placing_.is_lifted())
     port.say(glm::conjugate(setup_.frame.world_from_device) * force_in_world_newton);
   if (aim_.is_silent(tick)) switches_.release();
-  state = {world_from_saw_, switches_.combined(said.said.buttons, aim.switches), said.packet};
+  state = {world_from_saw_, switches_.combined(said.said.buttons, aim.switches, aim.orders),
+           said.packet};
   return true;
 }
 
@@ -76,12 +80,10 @@ RigidTransform ArmDevice::device_from_hand(const DriverState& said) const noexce
           said.device_from_handle.translation_mm};
 }
 
-void ArmDevice::place(const DriverState& said, const Quat& world_from_wanted,
-                      std::int64_t ticks) noexcept {
+void ArmDevice::place(const DriverState& said, const Aim& aim, std::int64_t ticks) noexcept {
   const RigidTransform hand = device_from_hand(said);
-  const bool wants_lift = wants_lift_.load(std::memory_order_relaxed);
-  if (wants_lift && !placing_.is_lifted()) placing_.lift();
-  if (!wants_lift && placing_.is_lifted()) placing_.set_down(hand, world_from_saw_);
+  if (aim.is_lifted && !placing_.is_lifted()) placing_.lift();
+  if (!aim.is_lifted && placing_.is_lifted()) placing_.set_down(hand, world_from_saw_);
   const RigidTransform placed = placing_.place(hand);
   world_from_saw_.translation_mm = placed.translation_mm;
   if (turns_) {
@@ -90,15 +92,15 @@ void ArmDevice::place(const DriverState& said, const Quat& world_from_wanted,
   }
   const double share = static_cast<double>(ticks) * step_s / turn_s;
   world_from_saw_.rotation =
-      interpolate(world_from_saw_, {world_from_wanted, world_from_saw_.translation_mm}, share)
+      interpolate(world_from_saw_, {aim.world_from_target.rotation, world_from_saw_.translation_mm},
+                  share)
           .rotation;
 }
 
 RateDevice::RateDevice(Port& port, const PortDeviceSetup& setup)
     : port_(&port),
       described_(described(port, setup)),
-      aim_(resting_at(setup.world_from_start)),
-      view_(setup.frame.world_from_device),
+      aim_(resting_in(setup)),
       control_(setup.world_from_start),
       hand_(setup.world_from_start),
       switches_(setup.buttons) {}
@@ -115,10 +117,10 @@ bool RateDevice::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
   const bool is_there = said.phase == PortPhase::Running;
   if (!is_there || aim_.is_silent(tick)) switches_.release();
   for (std::int64_t i = 0; i < ticks; ++i) {
-    control_.advance(is_there ? said.said.deflection : Deflection{}, view_.read());
+    control_.advance(is_there ? said.said.deflection : Deflection{}, aim.world_from_view);
     hand_.follow(control_.world_from_hand(), aim.unyielding_in_world, force_in_world_newton);
   }
-  state = {hand_.world_from_hand(), switches_.combined(said.said.buttons, aim.switches),
+  state = {hand_.world_from_hand(), switches_.combined(said.said.buttons, aim.switches, aim.orders),
            said.packet};
   return is_there;
 }

@@ -67,21 +67,17 @@ class ArmDevice final : public SteeredDevice {
   /// The old one outlives the device.
   /// thread  any
   void go_on_with(Port& port) noexcept { port_.store(&port, std::memory_order_release); }
-  /// The hand moves without the saw, and nothing pushes it.
-  /// thread  any
-  void lift(bool is_lifted) noexcept { wants_lift_.store(is_lifted, std::memory_order_relaxed); }
-
   void aim(const Aim& aim) noexcept override { aim_.write(aim); }
+  Led led() const noexcept override { return turns_ ? Led::Nothing : Led::Rotation; }
   DeviceDescription description() const override;
   bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                 RawDeviceState& state) noexcept override;
 
  private:
   RigidTransform device_from_hand(const DriverState& said) const noexcept;
-  void place(const DriverState& said, const Quat& world_from_wanted, std::int64_t ticks) noexcept;
+  void place(const DriverState& said, const Aim& aim, std::int64_t ticks) noexcept;
 
   std::atomic<Port*> port_;
-  std::atomic<bool> wants_lift_{false};
   PortDeviceSetup setup_;
   DeviceDescription described_;
   /// Its grip has a rotation of its own.
@@ -102,11 +98,8 @@ class RateDevice final : public SteeredDevice {
 
   /// thread  any
   void go_on_with(Port& port) noexcept { port_.store(&port, std::memory_order_release); }
-  /// How the person looks: x right, y up, z to them.
-  /// thread  window
-  void look(const Quat& world_from_view) noexcept { view_.write(world_from_view); }
-
   void aim(const Aim& aim) noexcept override { aim_.write(aim); }
+  Led led() const noexcept override { return Led::Nothing; }
   DeviceDescription description() const override;
   bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                 RawDeviceState& state) noexcept override;
@@ -115,7 +108,6 @@ class RateDevice final : public SteeredDevice {
   std::atomic<Port*> port_;
   DeviceDescription described_;
   HeardAim aim_;
-  Latest<Quat> view_;
   RateControl control_;
   CoupledHand hand_;
   SwitchBoard switches_;

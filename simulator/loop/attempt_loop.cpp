@@ -187,6 +187,7 @@ class AttemptRun {
     view_.missed_ticks = statistics_.missed_ticks;
     view_.pauses = statistics_.pauses;
     view_.ring_share = fullest_ring_share();
+    view_.is_device_lost = is_device_lost();
     view_.device_force_newton = device_.force_newton();
     view_.force_limits = device_.limits();
     watch.view.write(view_);
@@ -243,6 +244,7 @@ class AttemptRun {
     device_.set_force(output, ticks);
     if (setup_.attempt_operator != nullptr) setup_.attempt_operator->observe(output);
     statistics_.force_limits |= device_.limits();
+    statistics_.has_changed_device = device_.is_handed_over();
     const bool is_running = has(output.sample.status, ToolStatus::Running);
     if (line.device.faults != 0 && is_running) statistics_.faulted_ticks += ticks;
     push(channels_.tape, line);
@@ -256,17 +258,18 @@ class AttemptRun {
 
   /// Of a device that is gone, so long that nobody operates any more.
   void note_loss(const DeviceState& device, std::int64_t ticks) noexcept {
-    const bool was_lost = lost_ticks_ > lost_ticks_at_most;
+    const bool was_lost = is_device_lost();
     lost_ticks_ = has(device.faults, DeviceFault::Lost) ? lost_ticks_ + ticks : 0;
-    if (!was_lost && lost_ticks_ > lost_ticks_at_most) ++statistics_.pauses;
+    if (!was_lost && is_device_lost()) ++statistics_.pauses;
   }
+  bool is_device_lost() const noexcept { return lost_ticks_ > lost_ticks_at_most; }
 
   void add_commands(TapeLine& line, std::array<JobResult*, commands_per_tick>& results) noexcept {
     const auto add = [&](const Command& command, JobResult* result) {
       results[line.command_count] = result;
       line.commands[line.command_count++] = command;
     };
-    const bool is_held = is_gap_ || lost_ticks_ > lost_ticks_at_most;
+    const bool is_held = is_gap_ || is_device_lost();
     if (is_held != is_paused_) {
       add({is_held ? CommandKind::Pause : CommandKind::Resume, paused_by_loop, 0}, nullptr);
     }

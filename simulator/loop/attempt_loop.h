@@ -63,6 +63,8 @@ struct LoopStatistics {
   std::int64_t clock_steps = 0;
   /// With a fault of the device while the attempt's clock ran.
   std::int64_t faulted_ticks = 0;
+  /// Mouse and keys have taken over from it.
+  bool has_changed_device = false;
   /// RealTime: of the fullest ring towards the recorder.
   double ring_share_max = 0.0;
   double step_p50_us = 0.0, step_p99_us = 0.0, step_max_us = 0.0;

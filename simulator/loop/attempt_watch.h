@@ -40,6 +40,8 @@ struct LoopView {
   Vec3 device_force_newton{0.0, 0.0, 0.0};
   /// Bits of ForceLimit: what made it another than simulated.
   std::uint32_t force_limits = 0;
+  /// For so long that the loop pauses until it is there again.
+  bool is_device_lost = false;
   /// The system runs the loop before all else.
   bool has_priority = false;
   /// The system keeps its memory in place.

@@ -48,7 +48,16 @@ DeviceState DeviceLink::read(std::int64_t last_tick, std::int64_t ticks) noexcep
   last_tick_ = last_tick;
   RawDeviceState raw;
   const bool came = device_.exchange(force_.force_in_world_newton, last_tick, raw);
+  if (came && raw.is_handed_over && !is_handed_over_) be_handed_over();
   return watchdog_.judge(came, raw, ticks);
+}
+
+/// Whoever leads now pushes nobody back.
+void DeviceLink::be_handed_over() noexcept {
+  is_handed_over_ = true;
+  settings_.reset();
+  vibration_scale_ = 0.0;
+  watchdog_.expect(DevicePulse{});
 }
 
 void DeviceLink::set_force(const StepOutput& output, std::int64_t ticks) noexcept {

@@ -54,10 +54,13 @@ class DeviceLink {
   std::uint32_t limits() const noexcept { return force_.limits; }
   /// It pushes a hand.
   bool has_motors() const noexcept { return settings_.has_value(); }
+  /// Another leads since then, whom nothing pushes.
+  bool is_handed_over() const noexcept { return is_handed_over_; }
   /// Device newtons per simulated newton; 1 without limits.
   double scale() const noexcept { return settings_ ? settings_->scale : 1.0; }
 
  private:
+  void be_handed_over() noexcept;
   /// What the thesis's law makes of the handle's motion at the surface that the simulated force
   /// comes from, in newtons of the simulation: the output scales them.
   Vec3 thesis_law_newton(const Vec3& simulated_newton, bool is_touching,
@@ -88,6 +91,7 @@ class DeviceLink {
   ForceOutputState output_;
   DeviceForce force_;
   std::int64_t last_tick_ = 0;
+  bool is_handed_over_ = false;
 };
 
 }  // namespace hallux::simulator

@@ -29,6 +29,8 @@ class DeviceWatchdog {
  public:
   explicit DeviceWatchdog(const DevicePulse& pulse) noexcept : pulse_(pulse) {}
 
+  /// From now on that is how it is told that the device lives.
+  void expect(const DevicePulse& pulse) noexcept { pulse_ = pulse; }
   /// Judges what an exchange brought: `came` is its answer, `ticks` how many the line covers.
   /// errors  none: total, allocates nothing
   /// thread  haptic

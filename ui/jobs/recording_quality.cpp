@@ -95,6 +95,7 @@ Quality quality_of(const simulator::LoopStatistics& loop,
   certificate.unsampled_us = loop.unsampled_us;
   certificate.clock_steps = loop.clock_steps;
   certificate.faulted_ticks = loop.faulted_ticks;
+  certificate.has_changed_device = loop.has_changed_device;
   certificate.late_p50_us = loop.late_p50_us;
   certificate.late_p99_us = loop.late_p99_us;
   certificate.late_max_us = loop.late_max_us;

@@ -27,7 +27,8 @@ void DevicePort::say(const Vec3& force_in_device_newton) noexcept {
 
 TroubleReport DevicePort::trouble() const {
   const std::lock_guard lock(mutex_);
-  return trouble_;
+  const bool is_slow = !trouble_ && is_slow_.load(std::memory_order_relaxed);
+  return is_slow ? TroubleReport{DeviceTrouble::TooSlow, {}, {}} : trouble_;
 }
 
 DeviceDescription DevicePort::description() const {
@@ -77,6 +78,7 @@ void DevicePort::talk(const std::stop_token& stop) {
 
 void DevicePort::publish(const PortState& state) noexcept {
   state_.write(state);
+  is_slow_.store(state.trouble == DeviceTrouble::TooSlow, std::memory_order_relaxed);
   phase_.store(state.phase, std::memory_order_release);
 }
 

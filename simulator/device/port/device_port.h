@@ -33,7 +33,7 @@ class DevicePort final : public Port {
 
   /// thread  any
   PortPhase phase() const noexcept { return phase_.load(std::memory_order_acquire); }
-  /// Why it ended; none while it has not.
+  /// Why it ended; while it runs, that it is too slow for a force, or none.
   TroubleReport trouble() const;
   DeviceDescription description() const override;
   PortFigures figures() const;
@@ -52,6 +52,7 @@ class DevicePort final : public Port {
   Latest<SaidForce> said_;
   Latest<PortState> state_;
   std::atomic<PortPhase> phase_{PortPhase::Opening};
+  std::atomic<bool> is_slow_{false};
   mutable std::mutex mutex_;
   /// Under the mutex, with what follows.
   DeviceDescription description_;

@@ -51,6 +51,11 @@ TEST(Certificate, HasALimitForWhatIsOnlyTooMuchOf) {
             Reasons{Invalidity::DeviceFaulted});
 }
 
+TEST(Certificate, OfTwoDevicesIsComparableWithNeither) {
+  EXPECT_EQ(reasons_after([](auto& c) { c.has_changed_device = true; }),
+            Reasons{Invalidity::DeviceChanged});
+}
+
 TEST(Certificate, IsNotSpoiltByBeingLate) {
   EXPECT_EQ(reasons_after([](auto& c) {
               c.late_p50_us = 900.0;
@@ -68,6 +73,7 @@ TEST(Certificate, NamesAllThatIsWrongInOrder) {
     c.gaps = c.duplicates = c.clock_steps = 1;
     c.unsampled_us = 60'000'000;
     c.missed_ticks = c.faulted_ticks = 60'000;
+    c.has_changed_device = true;
   });
   Reasons all;
   for (std::size_t i = 0; i < stored_names<Invalidity>.size(); ++i) {
@@ -85,6 +91,7 @@ TEST(Certificate, IsReadAsItWasWritten) {
   written.unsampled_us = 5;
   written.clock_steps = 6;
   written.faulted_ticks = 7;
+  written.has_changed_device = true;
   written.late_p50_us = 8.5;
   written.late_p99_us = 9.5;
   written.late_max_us = 10.5;
@@ -95,9 +102,9 @@ TEST(Certificate, IsReadAsItWasWritten) {
   ASSERT_TRUE(read.has_value());
   EXPECT_EQ(json_from_certificate(*read), json);
   EXPECT_EQ(read->faulted_ticks, 7);
+  EXPECT_TRUE(read->has_changed_device);
   EXPECT_FALSE(is_valid_by(json));
-  EXPECT_NE(json.find(R"("not_valid_because":["ticks_left_out","ticks_doubled","clock_stepped"])"),
-            std::string::npos)
+  EXPECT_NE(json.find(R"("ticks_doubled","clock_stepped","device_changed"])"), std::string::npos)
       << json;
 }
 

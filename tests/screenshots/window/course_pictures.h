@@ -21,6 +21,8 @@ struct SimulatedCourse {
 void take_first_start(const std::filesystem::path& empty_directory,
                       const std::filesystem::path& folder);
 void take_trainee(const SimulatedCourse& course, const std::filesystem::path& folder);
+/// Needs a bus with a Falcon that runs.
+void take_devices(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_flight(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_operating(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_operating_in_light(const SimulatedCourse& course, const std::filesystem::path& folder);

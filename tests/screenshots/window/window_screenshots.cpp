@@ -41,6 +41,7 @@ int main(int count, char** words) {
     hallux::tests::take_trainee(course, folder);
     hallux::tests::take_instructor(course, folder);
     hallux::tests::take_administrator(course, folder);
+    hallux::tests::take_devices(course, folder);
     hallux::tests::take_flight(course, folder);
     hallux::tests::take_operating(course, folder);
     hallux::tests::take_operating_in_light(course, folder);

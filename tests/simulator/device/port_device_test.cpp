@@ -85,11 +85,13 @@ TEST_F(HeldArm, ALiftedHandMovesNothingAndIsPushedByNothing) {
   ArmDevice arm(port_, setup_);
   exchanged(arm, {0.0, 0.0, 2.0}, 1000);
   ASSERT_EQ(driver_.forces_newton.back(), Vec3(0.0, 0.0, 2.0));
-  arm.lift(true);
+  SteeredDevice::Aim lifted{start};
+  lifted.is_lifted = true;
+  arm.aim(lifted);
   hold({-50.0, 0.0, 0.0});
   expect_at(exchanged(arm, {0.0, 0.0, 2.0}, 10), start.translation_mm);
   EXPECT_EQ(driver_.forces_newton.back(), no_force);
-  arm.lift(false);
+  arm.aim({start});
   expect_at(exchanged(arm, {0.0, 0.0, 2.0}, 3), start.translation_mm);
   EXPECT_LT(length_of(driver_.forces_newton.back()), 0.02) << "softly";
   hold({-49.0, 0.0, 0.0});
@@ -102,7 +104,11 @@ TEST_F(HeldArm, AButtonTurnsTheSawOnAndAKeyTurnsItOff) {
   EXPECT_EQ(exchanged(arm).switches, saw);
   driver_.otherwise.exchange.state.buttons = 0;
   EXPECT_EQ(exchanged(arm).switches, saw);
-  arm.aim({start, saw, {}});
+  SteeredDevice::Aim off{start};
+  arm.aim(off);
+  EXPECT_EQ(exchanged(arm).switches, saw) << "nothing was switched at the window";
+  off.orders = 1;
+  arm.aim(off);
   EXPECT_EQ(exchanged(arm).switches, 0U);
   driver_.otherwise.exchange.state.buttons = 1;
   EXPECT_EQ(exchanged(arm).switches, saw);
@@ -154,7 +160,9 @@ TEST(LedRate, IsLedByItsCapAndHeldByBone) {
   EXPECT_GT(way_mm, 100.0);
   EXPECT_LT(way_mm, 150.0);
   // Looked at from above, the same push goes away from the person.
-  mouse.look(rotation_about({0.0, 0.0, 1.0}, radian_from_degree(90.0)));
+  SteeredDevice::Aim seen{start};
+  seen.world_from_view = rotation_about({0.0, 0.0, 1.0}, radian_from_degree(90.0));
+  mouse.aim(seen);
   const double before_mm = state.world_from_handle.translation_mm.y;
   for (std::int64_t tick = 1000; tick < 2000; ++tick)
     ASSERT_TRUE(mouse.exchange({0.0, -5.0, 0.0}, tick, state));
@@ -163,16 +171,19 @@ TEST(LedRate, IsLedByItsCapAndHeldByBone) {
   EXPECT_FALSE(mouse.exchange(no_force, 2000, state));
 }
 
-TEST(SwitchBoard, GripAndKeysAddUpAndAnyOfThemTurnsOff) {
+TEST(SwitchBoard, GripAndWindowAddUpAndAnyOfThemTurnsOff) {
   SwitchBoard board(ButtonMap{.saw = 2, .irrigation = 8});
-  EXPECT_EQ(board.combined(1, 0), 0U);
-  EXPECT_EQ(board.combined(2, 0), saw);
-  EXPECT_EQ(board.combined(2, 0), saw) << "held is not pressed again";
-  EXPECT_EQ(board.combined(0, saw), 0U);
-  EXPECT_EQ(board.combined(2, saw), saw);
-  EXPECT_EQ(board.combined(10, saw), saw | static_cast<std::uint32_t>(Switch::Irrigates));
+  const auto irrigation = static_cast<std::uint32_t>(Switch::Irrigates);
+  EXPECT_EQ(board.combined(1, 0, 0), 0U);
+  EXPECT_EQ(board.combined(2, 0, 0), saw);
+  EXPECT_EQ(board.combined(2, 0, 0), saw) << "held is not pressed again";
+  EXPECT_EQ(board.combined(0, 0, 1), 0U) << "ordered off";
+  EXPECT_EQ(board.combined(2, 0, 1), saw) << "an order is heard once";
+  EXPECT_EQ(board.combined(10, 0, 1), saw | irrigation);
+  EXPECT_EQ(board.combined(0, saw, 2), saw) << "all of it is as it was ordered";
   board.release();
-  EXPECT_EQ(board.combined(10, saw), 0U);
+  EXPECT_EQ(board.combined(0, saw, 2), 0U) << "what was ordered before is over";
+  EXPECT_EQ(board.combined(0, saw, 3), saw);
 }
 
 }  // namespace

@@ -142,5 +142,54 @@ TEST(LoopDevice, IsSentTheForceOfTheStepBefore) {
   EXPECT_TRUE(was_pushed);
 }
 
+/// An arm that is gone after a while, and a pointer that takes over where it was.
+class HandedOver final : public HapticDevice {
+ public:
+  static constexpr std::int64_t gone_tick = 150, over_tick = 200;
+
+  explicit HandedOver(const HandMotion& motion) : hand_(motion) {}
+
+  DeviceDescription description() const override {
+    DeviceLimits limits;
+    limits.force_newton = limits.continuous_force_newton = 8.0;
+    limits.stiffness_newton_per_mm = 2.0;
+    limits.force_scale = 0.2;
+    DeviceDescription described{"arm", "arm3", limits};
+    described.pulse.numbers_packets = true;
+    return described;
+  }
+  bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
+                RawDeviceState& state) noexcept override {
+    given_newton.push_back(force_in_world_newton);
+    static_cast<void>(hand_.exchange(force_in_world_newton, tick, state));
+    if (tick < gone_tick) state.packet = static_cast<std::uint64_t>(tick);
+    state.is_handed_over = tick >= over_tick;
+    return tick < gone_tick || tick >= over_tick;
+  }
+
+  std::vector<Vec3> given_newton;
+
+ private:
+  ScriptedDevice hand_;
+};
+
+TEST(LoopDevice, WhoTakesOverFromALostArmNumbersNothingAndFeelsTheForceAsItIs) {
+  const Bone bone = tests::loop_block();
+  const HandMotion motion = tests::sawing_motion(bone, last_tick);
+  const AttemptSetup setup = tests::setup_for(bone, motion, last_tick);
+  HandedOver device(motion);
+  const tests::RecordedRun run = tests::record(setup, device);
+  EXPECT_TRUE(run.statistics.has_changed_device);
+  EXPECT_EQ(run.statistics.force_scale, 0.2) << "of the arm";
+  EXPECT_EQ(run.statistics.faulted_ticks, HandedOver::over_tick - HandedOver::gone_tick);
+  bool was_pushed = false;
+  for (std::size_t tick = HandedOver::over_tick + 1; tick < run.recording.samples.size(); ++tick) {
+    const Vec3 expected_newton = force_newton(run.recording.samples[tick - 1]);
+    EXPECT_EQ(device.given_newton[tick], expected_newton);
+    was_pushed = was_pushed || expected_newton.y != 0.0;
+  }
+  EXPECT_TRUE(was_pushed);
+}
+
 }  // namespace
 }  // namespace hallux::simulator

@@ -2,13 +2,15 @@
 /// through files that a library makes up (umockdev).
 ///
 ///     umockdev-wrapper served_bus DEVICE... [--at SECONDS pull|plug|DEVICE-FAULT DEVICE]...
+///                                 [--once FILE pull|plug|DEVICE-FAULT DEVICE]...
 ///                                 [--report FILE] -- COMMAND...
 ///
 ///     DEVICE        falcon, arm or space_mouse, with ':' and options between commas:
-///                   serial=S, loaded, homed, older, pressed, no-rights, wrong-echo=BYTE
+///                   serial=S, loaded, homed, older, pressed, no-rights, taken, wrong-echo=BYTE
 ///     DEVICE-FAULT  silent, garbled, long
 ///
-/// FILE becomes JSON: what each device saw. The exit code is the command's.
+/// One action after the other, in the order in which they are named: at its moment, or once a file
+/// is there. The report's FILE becomes JSON: what each device saw. The exit code is the command's.
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -35,7 +37,8 @@ using nlohmann::ordered_json;
 
 struct DeviceOptions {
   std::string name, serial;
-  bool is_loaded = false, is_homed = false, is_older = false, is_pressed = false, has_rights = true;
+  bool is_loaded = false, is_homed = false, is_older = false, is_pressed = false, has_rights = true,
+       is_taken = false;
   std::size_t wrong_echo_at = 0;
 };
 
@@ -59,6 +62,8 @@ DeviceOptions options_in(const std::string& text) {
       options.is_older = true;
     else if (word == "pressed")
       options.is_pressed = true;
+    else if (word == "taken")
+      options.is_taken = true;
     else if (word == "no-rights")
       options.has_rights = false;
     else
@@ -88,6 +93,7 @@ class PluggedFalcon final : public Plugged {
       : Plugged(options), served_(number, options.serial, model_) {
     if (options.is_loaded) model_.run();
     model_.is_homed = options.is_homed;
+    served_.is_taken = options.is_taken;
     model_.faults.wrong_echo_at = options.wrong_echo_at;
     model_.on_packet = [](FalconModel& falcon) { hold(falcon); };
   }
@@ -170,7 +176,13 @@ class PluggedSpaceMouse final : public Plugged {
 
 struct Action {
   double at_s = 0.0;
+  /// That it waits for; empty: for none.
+  std::string file;
   std::string what, device;
+
+  bool is_due(double passed_s) const {
+    return at_s <= passed_s && (file.empty() || ::access(file.c_str(), F_OK) == 0);
+  }
 };
 
 struct Arguments {
@@ -191,9 +203,12 @@ Arguments arguments_in(int count, char** words) {
     const std::string word = words[i];
     if (word == "--report") {
       arguments.report = next();
-    } else if (word == "--at") {
+    } else if (word == "--at" || word == "--once") {
       Action action;
-      action.at_s = std::stod(next());
+      if (word == "--at")
+        action.at_s = std::stod(next());
+      else
+        action.file = next();
       action.what = next();
       action.device = next();
       arguments.actions.push_back(action);
@@ -295,7 +310,7 @@ int run(const Arguments& arguments) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     bus.tick();
     const std::chrono::duration<double> passed = Clock::now() - begun;
-    while (done < arguments.actions.size() && arguments.actions[done].at_s <= passed.count())
+    while (done < arguments.actions.size() && arguments.actions[done].is_due(passed.count()))
       bus.act(arguments.actions[done++]);
   }
   if (!arguments.report.empty()) std::ofstream(arguments.report) << bus.seen().dump(1) << "\n";

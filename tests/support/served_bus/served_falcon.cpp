@@ -92,11 +92,13 @@ void ServedFalcon::answer(UMockdevIoctlClient* client) {
     case USBDEVFS_GET_CAPABILITIES:
       return tell_capabilities(client);
     case USBDEVFS_CLAIMINTERFACE:
+      return is_taken ? complete(client, -1, EBUSY) : complete(client, 0, 0);
     case USBDEVFS_RELEASEINTERFACE:
     case USBDEVFS_RESET:
     case USBDEVFS_CLEAR_HALT:
-    case USBDEVFS_DISCONNECT_CLAIM:
       return complete(client, 0, 0);
+    case USBDEVFS_DISCONNECT_CLAIM:
+      return is_taken ? complete(client, -1, EBUSY) : complete(client, 0, 0);
     case USBDEVFS_GETDRIVER:
       return complete(client, -1, ENODATA);
     case USBDEVFS_SUBMITURB:

@@ -18,6 +18,9 @@ class ServedFalcon final : public ServedDevice {
   void plugged(UMockdevTestbed& testbed) override;
   void pull() override;
 
+  /// Another program has claimed it.
+  bool is_taken = false;
+
  private:
   /// A transfer that was asked for and not yet fetched.
   struct Transfer {

@@ -244,6 +244,12 @@ class Falcon(ServedTest):
         self.devices = ("falcon:wrong-echo=500",)
         self.assertEqual(self.try_out("falcon", code=CHECK_FAILED)["fault"], "wrong_echo")
 
+    def test_one_that_another_program_has_is_told(self):
+        self.devices = ("falcon:loaded,taken",)
+        self.assertEqual(self.try_out("falcon", code=CHECK_FAILED)["fault"], "busy")
+        self.expect_refusal(NO_DISPLAY, ["another program has it", "fuser -v"], "attempt", "silver", "--device", "falcon",
+                            "--seconds", "1")
+
     def test_one_that_is_not_there_says_so(self):
         self.devices = ("space_mouse",)
         self.expect_refusal(NO_DISPLAY, ["is not plugged in", "hallux devices"], "devices", "test", "falcon")

@@ -92,10 +92,10 @@ def rows_of(place, words):
 
 
 @contextlib.contextmanager
-def opened_course(program, size="1440x900x24", pictures=None, prepare=None):
+def opened_course(program, size="1440x900x24", pictures=None, prepare=None, within=None):
     """The command's window on an empty course, or on what prepare(folder) makes, with all that belongs to it: person, place, window and server (processes; what
     the window says on stderr is kept for who reads it), take_picture(name), and open_again() for another window where this one
-    has ended. All processes are gone afterwards."""
+    has ended. within(place) says the words of a command that runs it. All processes are gone afterwards."""
     server, display = start_display(size)
     with tempfile.TemporaryDirectory() as folder:
         place = pathlib.Path(folder)
@@ -105,7 +105,8 @@ def opened_course(program, size="1440x900x24", pictures=None, prepare=None):
         windows = []
 
         def open_window():
-            windows.append(subprocess.Popen([program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
+            before = within(place) if within else []
+            windows.append(subprocess.Popen([*before, program, "--data", str(place / "course"), "--ui-map", str(place / "map.json")],
                                             env=environment, stderr=subprocess.PIPE, text=True))
             return windows[-1]
 

@@ -1,13 +1,21 @@
 #include "ui/app/verbs/station_access.h"
 
 #include "ui/app/terminal/terminal_text.h"
-#include "ui/jobs/devices/device_sentences.h"
 #include "ui/jobs/devices/devices_file.h"
+#include "ui/jobs/devices/lent_hand.h"
 
 namespace hallux::ui {
 
 std::unique_ptr<simulator::Station> open_station(const VerbContext& context) {
   return std::make_unique<simulator::Station>(read_devices(context.data_directory));
+}
+
+void had_or_not_usable(const std::function<void()>& have) {
+  try {
+    have();
+  } catch (const DeviceRefused& refused) {
+    throw VerbError(ExitCode::NoDisplay, terminal_text(refused.what()));
+  }
 }
 
 simulator::FoundDevice usable_device(simulator::Station& station, const std::string& id) {
@@ -19,11 +27,9 @@ simulator::FoundDevice usable_device(simulator::Station& station, const std::str
   }
   if (found->kind == simulator::DeviceKind::Mouse)
     throw VerbError(ExitCode::WrongUsage, "the mouse is the window's: open the window to use it");
-  if (!found->is_usable()) {
-    const simulator::KindFacts& kind = facts_of(found->kind);
-    throw VerbError(ExitCode::NoDisplay, terminal_text(sentence_of(found->trouble, kind) + "; " +
-                                                       mend_of(found->trouble, kind, id)));
-  }
+  had_or_not_usable([&] {
+    if (!found->is_usable()) throw DeviceRefused(found->trouble, *found);
+  });
   return *found;
 }
 

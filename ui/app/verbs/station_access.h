@@ -2,6 +2,7 @@
 /// Inside this corner only.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -13,6 +14,9 @@ namespace hallux::ui {
 /// The station with what is set for it beside the database.
 /// errors  FileRefused, scenarios::ScenarioError
 std::unique_ptr<simulator::Station> open_station(const VerbContext& context);
+
+/// errors  VerbError: NoDisplay in place of DeviceRefused
+void had_or_not_usable(const std::function<void()>& have);
 
 /// A device that is plugged in and can be used.
 /// errors  VerbError: NoDisplay with the reason and its mend; WrongUsage for the mouse

@@ -15,15 +15,13 @@
 #include "simulator/base/digest.h"
 #include "simulator/base/units.h"
 #include "simulator/base/utf8.h"
-#include "simulator/device/station/lent_device.h"
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/app/verbs/access.h"
 #include "ui/app/verbs/card_json.h"
 #include "ui/app/verbs/station_access.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/course/scenario_jobs.h"
-#include "ui/jobs/devices/device_sentences.h"
-#include "ui/jobs/devices/device_test.h"
+#include "ui/jobs/devices/lent_hand.h"
 #include "ui/jobs/files/read_small_file.h"
 #include "ui/report/score_sheet.h"
 #include "ui/sight/start_place.h"
@@ -139,27 +137,22 @@ ordered_json outcome_json(const ScriptedAttempt& attempt, const AttemptOutcome& 
 /// Whoever moves the device leads the saw, from where the operation begins and as it is seen there.
 /// errors  VerbError: NoDisplay where the device cannot be used, or nobody brought it home
 HeldHand held_hand(const VerbContext& context, const AttemptOptions& options,
-                   simulator::Station& station, const scenarios::Scenario& scenario) {
-  const simulator::FoundDevice found = usable_device(station, options.device);
-  const std::shared_ptr<simulator::DevicePort> port = station.open(found.id);
-  if (!port || !is_brought_home(*port, progress_on(context, "Homing " + found.id))) {
-    simulator::TroubleReport trouble = port ? port->trouble() : simulator::TroubleReport{};
-    if (!trouble) trouble.trouble = simulator::DeviceTrouble::NotHomed;
-    const simulator::KindFacts& kind = facts_of(found.kind);
-    throw VerbError(ExitCode::NoDisplay, terminal_text(sentence_of(trouble, kind) + "; " +
-                                                       mend_of(trouble, kind, found.id)));
-  }
+                   const std::shared_ptr<simulator::Station>& station,
+                   const scenarios::Scenario& scenario) {
+  const simulator::FoundDevice found = usable_device(*station, options.device);
+  had_or_not_usable(
+      [&] { bring_home(*station, found, progress_on(context, "Homing " + found.id)); });
   HeldHand held;
   held.last_tick = static_cast<std::int64_t>(options.seconds / step_s);
   held.force_law = *force_law_from(options.force_law);
-  held.lend = [&station, &scenario, found](
-                  const simulator::Bone& bone,
-                  const scenarios::Plan& plan) -> std::unique_ptr<simulator::HapticDevice> {
-    auto device = lend(station, found.id,
-                       setup_of(station, found, start_pose(scenario, bone, plan),
-                                start_camera(scenario, bone, plan).world_from_view));
-    if (!device)
-      throw VerbError(ExitCode::NoDisplay, found.id + ": was unplugged; plug it in again");
+  held.lend = [station, &scenario, found](const simulator::Bone& bone,
+                                          const scenarios::Plan& plan) {
+    std::unique_ptr<simulator::HapticDevice> device;
+    had_or_not_usable([&] {
+      device = lend_hand(
+          station, found,
+          {start_pose(scenario, bone, plan), start_camera(scenario, bone, plan).world_from_view});
+    });
     return device;
   };
   return held;
@@ -167,10 +160,8 @@ HeldHand held_hand(const VerbContext& context, const AttemptOptions& options,
 
 ExitCode run_attempt_verb(const VerbContext& context, const AttemptOptions& options) {
   ScriptedAttempt attempt = attempt_from(options);
-  std::unique_ptr<simulator::Station> station;
   if (is_plugged(options)) {
-    station = open_station(context);
-    attempt.held = held_hand(context, options, *station, attempt.scenario);
+    attempt.held = held_hand(context, options, open_station(context), attempt.scenario);
     attempt.hand = "held";
     attempt.pacing = simulator::Pacing::RealTime;
   }

@@ -8,11 +8,11 @@
 #include <array>
 #include <utility>
 
-#include "simulator/device/mouse.h"
 #include "ui/screens/administrator/audit_screen.h"
 #include "ui/screens/administrator/cohorts_screen.h"
 #include "ui/screens/administrator/people_screen.h"
 #include "ui/screens/administrator/scenarios_screen.h"
+#include "ui/screens/devices/devices_screen.h"
 #include "ui/screens/guide/guide_screen.h"
 #include "ui/screens/instructor/attempts_screen.h"
 #include "ui/screens/instructor/cohort_screen.h"
@@ -46,15 +46,15 @@ bool may_ask(const SignedInSession& signed_in) {
 }
 bool is_anybody(const SignedInSession&) { return true; }
 
-std::unique_ptr<simulator::SteeredDevice> lend_mouse(const RigidTransform& world_from_start) {
-  return std::make_unique<simulator::MouseDevice>(world_from_start);
-}
-
 }  // namespace
 
 Course::Course(const Texts& texts, std::filesystem::path data_directory, Shell& shell,
                database::PasswordCost cost)
-    : texts_(texts), data_directory_(std::move(data_directory)), shell_(shell), cost_(cost) {
+    : texts_(texts),
+      data_directory_(std::move(data_directory)),
+      shell_(shell),
+      station_(std::make_shared<OwnStation>(data_directory_)),
+      cost_(cost) {
   shell_.on_navigate([this](const std::string& id) { show_place(id); });
   shell_.on_account([this] { show_account(); });
   shell_.on_sign_out([this] { sign_out(); });
@@ -108,7 +108,7 @@ Visitor Course::visitor_of(const SignedInSession& signed_in) const {
 // In the order in which the navigation lists them: a place, who has it, and its screen.
 std::span<const Course::Route> Course::routes() noexcept {
   using At = Course&;
-  static constexpr std::array<Route, 10> all{{
+  static constexpr std::array<Route, 11> all{{
       {"nav.people", "place.people", Icon::People, administers,
        [](At at) -> Shown { return std::make_unique<PeopleScreen>(at.signed_in_, at.cost_); }},
       {"nav.cohorts", "place.cohorts", Icon::Cohorts, administers,
@@ -129,6 +129,8 @@ std::span<const Course::Route> Course::routes() noexcept {
        [](At at) -> Shown { return std::make_unique<AttemptsScreen>(at.signed_in_, at); }},
       {"nav.questions", "place.questions", Icon::Messages, may_ask,
        [](At at) -> Shown { return std::make_unique<QuestionsScreen>(at.signed_in_, at); }},
+      {"nav.devices", "place.devices", Icon::Devices, is_anybody,
+       [](At at) -> Shown { return std::make_unique<DevicesScreen>(at.signed_in_, at.station_); }},
   }};
   return all;
 }
@@ -164,9 +166,15 @@ void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind
   // An operation needs the memory that replays of the expert take, 30 to 70 MB each.
   made_replays_ = std::make_shared<MadeReplays>();
   shell_.push(std::make_unique<OperatingScreen>(
-      signed_in_, *this, OperationChoice{scenario, kind, guidance}, lend_mouse));
+      signed_in_, *this, OperationChoice{scenario, kind, guidance}, lend_device()));
 }
-void Course::fly() { shell_.push(std::make_unique<FlightScreen>(signed_in_, lend_mouse)); }
+LendDevice Course::lend_device() const {
+  return [station = station_, id = shell_.preferences().device](const HandStart& start,
+                                                                const Progress& progress) {
+    return station->lend(id, start, progress);
+  };
+}
+void Course::fly() { shell_.push(std::make_unique<FlightScreen>(signed_in_, lend_device())); }
 void Course::show_result(const database::AttemptId& attempt) {
   shell_.push(std::make_unique<ResultScreen>(signed_in_, *this, attempt));
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "ui/jobs/devices/own_station.h"
 #include "ui/screens/instructor/inbox_screen.h"
 #include "ui/screens/parts/navigator.h"
 #include "ui/screens/parts/signed_in_session.h"
@@ -60,12 +61,15 @@ class Course : public Navigator {
   /// What the person was told since they were here last.
   void tell_notices();
   void acknowledge(std::shared_ptr<SignedInSession> signed_in, const database::Notice& notice);
+  /// Of the device that is chosen now.
+  LendDevice lend_device() const;
   void lock();
   void sign_out();
 
   const Texts& texts_;
   std::filesystem::path data_directory_;
   Shell& shell_;
+  std::shared_ptr<OwnStation> station_;
   database::PasswordCost cost_;
   std::shared_ptr<SignedInSession> signed_in_;
   std::shared_ptr<InboxScreen::Drafts> answer_drafts_;

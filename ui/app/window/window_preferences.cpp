@@ -18,6 +18,7 @@ using nlohmann::ordered_json;
 constexpr const char* file_name = "window.json";
 constexpr const char* mend = "delete it and choose again";
 constexpr int depth_max = 4;
+constexpr std::size_t device_letters_max = 160;
 
 bool flag(const ordered_json& kept, const char* key, bool usual) {
   const auto found = kept.find(key);
@@ -59,6 +60,9 @@ Preferences read_preferences(const fs::path& data_directory) {
   preferences.is_saw_heard = flag(kept, "saw_sound", preferences.is_saw_heard);
   preferences.captures_pointer = flag(kept, "captures_pointer", preferences.captures_pointer);
   preferences.is_left_handed = flag(kept, "left_handed", preferences.is_left_handed);
+  const ordered_json device = kept.value("device", ordered_json());
+  if (device.is_string() && device.get_ref<const std::string&>().size() <= device_letters_max)
+    preferences.device = device.get<std::string>();
   preferences.offered_flight = numbers(kept, "offered_flight");
   return preferences;
 }
@@ -73,6 +77,7 @@ void keep_preferences(const fs::path& data_directory, const Preferences& prefere
                           {"saw_sound", preferences.is_saw_heard},
                           {"captures_pointer", preferences.captures_pointer},
                           {"left_handed", preferences.is_left_handed},
+                          {"device", preferences.device},
                           {"offered_flight", preferences.offered_flight}};
   replace_own_file(data_directory / file_name, kept.dump(1) + "\n");
 }

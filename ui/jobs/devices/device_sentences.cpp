@@ -11,6 +11,10 @@ constexpr const char* rules_line =
     "hallux devices rules | sudo tee /etc/udev/rules.d/70-hallux-haptics.rules && sudo udevadm "
     "control --reload && sudo udevadm trigger";
 
+constexpr const char *falcon_home =
+                         "pull the grip out fully, then push it in until its light turns blue",
+                     *arm_home = "put the arm into its stand and hold its button for half a second";
+
 /// Why nobody but its maker speaks with it.
 std::string closed_sentence(DeviceKind kind) {
   if (kind == DeviceKind::ForceDimension)
@@ -87,9 +91,9 @@ std::string mend_of(const simulator::TroubleReport& trouble, const simulator::Ki
              "`hallux devices test " +
              id + "`";
     case DeviceTrouble::NotHomed:
-      return "pull the grip out fully, then push it in until its light turns blue";
+      return falcon_home;
     case DeviceTrouble::NotCalibrated:
-      return "put the arm into its stand and hold its button for half a second";
+      return arm_home;
     case DeviceTrouble::NoService:
       return "start its maker's service";
     case DeviceTrouble::ServiceVersion:
@@ -115,6 +119,18 @@ std::string mend_of(const simulator::TroubleReport& trouble, const simulator::Ki
       return {};
   }
   return {};
+}
+
+std::string home_sentence(const simulator::KindFacts& kind) {
+  const auto words = [&](std::string_view what) {
+    return std::string(kind.name) + ": " + std::string(what) + ".";
+  };
+  if (kind.kind == DeviceKind::Falcon) return words(falcon_home);
+  return kind.kind == DeviceKind::RawHidArm ? words(arm_home) : std::string();
+}
+
+const simulator::KindFacts* kind_of_device(std::string_view id) noexcept {
+  return simulator::kind_named(id.substr(0, id.find_first_of("-@")));
 }
 
 }  // namespace hallux::ui

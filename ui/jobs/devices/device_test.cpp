@@ -4,7 +4,7 @@
 #include <thread>
 
 #include "simulator/base/units.h"
-#include "simulator/device/force_output.h"
+#include "ui/jobs/devices/felt_wall.h"
 
 namespace hallux::ui {
 
@@ -18,31 +18,9 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds homed_within{60};
 constexpr std::chrono::milliseconds tick{1};
 
-/// What a wall of that stiffness makes felt, within what the device bears.
-class Wall {
- public:
-  Wall(const simulator::DeviceLimits& limits, double newton_per_mm, const Vec3& grip_mm)
-      : newton_per_mm_(newton_per_mm),
-        depth_mm_(grip_mm.z),
-        settings_(simulator::force_output_settings(limits, newton_per_mm, 1)) {
-    settings_.scale = 1.0;
-    settings_.passivity.spring_newton_per_mm = newton_per_mm;
-  }
-
-  Vec3 force_newton(const Vec3& grip_mm) noexcept {
-    const Vec3 pushed{0.0, 0.0, -newton_per_mm_ * (grip_mm.z - depth_mm_)};
-    return output_force(state_, settings_, {pushed, grip_mm}).force_in_world_newton;
-  }
-
- private:
-  double newton_per_mm_, depth_mm_;
-  simulator::ForceOutputSettings settings_;
-  simulator::ForceOutputState state_;
-};
-
 /// Every millisecond for so long, or until the device is gone.
 void exchange(DevicePort& port, const DeviceTest& wanted, const Progress& progress) {
-  std::optional<Wall> wall;
+  std::optional<FeltWall> wall;
   const auto limits = port.description().limits;
   if (wanted.wall_newton_per_mm && limits) {
     wall.emplace(*limits, *wanted.wall_newton_per_mm,
@@ -91,9 +69,8 @@ DeviceTestResult test_device(simulator::Station& station, const std::string& id,
   } else if (port->phase() != PortPhase::Ended) {
     result.fault = {simulator::DeviceTrouble::NotHomed, {}, {}};
   }
-  if (!result.fault) result.fault = port->trouble();
   // One that answers too late for a force goes on without one: that is no end, but a fault.
-  if (!result.fault) result.fault = {port->newest().trouble, {}, {}};
+  if (!result.fault) result.fault = port->trouble();
   result.figures = port->figures();
   result.zero_after_packets = result.figures.pushes_unanswered;
   station.close(id);

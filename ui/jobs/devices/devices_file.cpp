@@ -10,6 +10,7 @@
 #include "simulator/device/falcon/falcon_firmware.h"
 #include "simulator/device/station/device_kind.h"
 #include "ui/jobs/devices/arm_record.h"
+#include "ui/jobs/devices/device_sentences.h"
 #include "ui/jobs/files/output_file.h"
 #include "ui/jobs/files/read_small_file.h"
 
@@ -46,11 +47,6 @@ Bounds bounds_of(std::string_view key) noexcept {
   return key == motion_key ? Bounds{0.25, 4.0} : Bounds{0.0, 1.0};
 }
 bool is_path(std::string_view key) noexcept { return key == firmware_key || key == geometry_key; }
-
-/// The kind that an id begins with.
-const simulator::KindFacts* kind_of(std::string_view id) noexcept {
-  return simulator::kind_named(id.substr(0, id.find_first_of("-@")));
-}
 
 DeviceSettings settings_from(const JsonNode& node) {
   node.expect_keys({}, {firmware_key, force_constant_key, geometry_key, motion_key, force_key});
@@ -99,7 +95,7 @@ ordered_json kept_in(const fs::path& file) {
 }
 
 const DeviceKey& key_named(const std::string& id, const std::string& key) {
-  const simulator::KindFacts* kind = kind_of(id);
+  const simulator::KindFacts* kind = kind_of_device(id);
   if (kind == nullptr || kind->device_class.empty() || kind->kind == simulator::DeviceKind::Mouse) {
     throw scenarios::ScenarioError(id +
                                    ": is no device that can be set; `hallux devices` lists them");

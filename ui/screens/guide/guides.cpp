@@ -74,6 +74,7 @@ GuideHeading heading_of(GuideSection section) noexcept {
       {"administrator.md", "scenarios"},
       {"administrator.md", "records"},
       {"administrator.md", "a-window-left-open"},
+      {"trainee.md", "choose-a-device"},
   }};
   return headings[static_cast<std::size_t>(section)];
 }

@@ -10,6 +10,8 @@
 #include <string_view>
 #include <utility>
 
+#include "ui/jobs/devices/device_sentences.h"
+#include "ui/jobs/devices/own_station.h"
 #include "ui/screens/operating/hud/operating_hud.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/widgets/controls/button.h"
@@ -50,6 +52,16 @@ float panel_height(const Ui& ui, const PanelWords& words, float width) {
          button_height + 16.0F;
 }
 
+/// Below the bone, where there is room above the panels at the foot.
+Rect low_panel(const Ui& ui, const PanelWords& words, float widest) {
+  const Rect display = ui.display();
+  const float width = std::min(widest, display.w - 32.0F);
+  const float height = panel_height(ui, words, width);
+  const float low = 0.94F * display.h - room_of_panels - height;
+  return {display.mid_x() - 0.5F * width, std::max(display.mid_y() - 0.5F * height, low), width,
+          height};
+}
+
 /// True where its button was pressed.
 bool draw_panel(Ui& ui, const Rect& rect, const PanelWords& words, const char* button_id,
                 const ButtonSpec& spec) {
@@ -83,10 +95,20 @@ std::string stop_text(const Ui& ui, const OperatingSession::Stop& stop) {
 
 }  // namespace
 
-ReadyAnswer draw_ready_card(Ui& ui, const std::string& title, bool is_practice, bool is_beginning) {
+std::string ready_text(const Ui& ui, bool is_practice, bool is_beginning,
+                       const std::string& device) {
+  const std::string shown(
+      ui.text(is_practice ? "operate.ready.shown.practice" : "operate.ready.shown.assessment"));
+  const simulator::KindFacts* const kind = device == mouse_id ? nullptr : kind_of_device(device);
+  if (kind == nullptr) return std::string(ui.text("operate.ready.mouse")) + " " + shown;
+  if (is_beginning) return home_sentence(*kind);
+  return ui.texts().say("operate.ready.device", {{"device", std::string(kind->name)}}) + " " +
+         shown;
+}
+
+ReadyAnswer draw_ready_card(Ui& ui, const std::string& title, const std::string& words,
+                            bool is_beginning) {
   const float width = std::min(520.0F, ui.display().w - 32.0F);
-  const std::string_view words =
-      ui.text(is_practice ? "operate.ready.practice" : "operate.ready.assessment");
   const float words_height = ui.paragraph_height(Type::Body, words, width - 2.0F * space::card);
   const float height = 64.0F + words_height + 24.0F + button_height + 24.0F;
   const Rect display = ui.display();
@@ -112,15 +134,26 @@ bool draw_paused_card(Ui& ui, PausedBy by) {
   const PanelWords words{ui.text("operate.paused"),
                          (cause.empty() ? std::string() : std::string(ui.text(cause)) + " ") +
                              std::string(ui.text("operate.paused.sentence"))};
-  const Rect display = ui.display();
-  const float width = std::min(440.0F, display.w - 32.0F);
-  const float height = panel_height(ui, words, width);
-  const float low = 0.94F * display.h - room_of_panels - height;
-  return draw_panel(ui,
-                    {display.mid_x() - 0.5F * width, std::max(display.mid_y() - 0.5F * height, low),
-                     width, height},
-                    words, "operate.go_on",
+  return draw_panel(ui, low_panel(ui, words, 440.0F), words, "operate.go_on",
                     {ui.text("operate.resume"), ButtonLook::Secondary, Icon::Play});
+}
+
+LostAnswer draw_device_lost_card(Ui& ui, bool is_practice, const std::string& trouble) {
+  const std::string_view rule =
+      ui.text(is_practice ? "operate.lost.practice" : "operate.lost.assessment");
+  const PanelWords words{ui.text("operate.lost"),
+                         (trouble.empty() ? std::string() : trouble + " ") + std::string(rule)};
+  const Rect rect = low_panel(ui, words, 560.0F);
+  if (is_practice) {
+    return draw_panel(ui, rect, words, "operate.lost.mouse",
+                      {ui.text("operate.lost.mouse"), ButtonLook::Secondary})
+               ? LostAnswer::TakeMouse
+               : LostAnswer::Waiting;
+  }
+  return draw_panel(ui, rect, words, "operate.lost.abandon",
+                    {ui.text("operate.lost.abandon"), ButtonLook::Secondary})
+             ? LostAnswer::Abandon
+             : LostAnswer::Waiting;
 }
 
 bool draw_storage_full_card(Ui& ui, const std::filesystem::path& directory) {

@@ -13,11 +13,22 @@ namespace hallux::ui {
 
 enum class ReadyAnswer { Waiting, Begin, Back };
 /// What is operated on, and the button that begins.
+/// words         what leads the saw, and what is shown
 /// is_beginning  it was pressed, and its work is under way
-ReadyAnswer draw_ready_card(Ui& ui, const std::string& title, bool is_practice, bool is_beginning);
+ReadyAnswer draw_ready_card(Ui& ui, const std::string& title, const std::string& words,
+                            bool is_beginning);
+/// device  its id, as it was chosen; "mouse"
+std::string ready_text(const Ui& ui, bool is_practice, bool is_beginning,
+                       const std::string& device);
 
 /// The pause with its cause. True where somebody goes on.
 bool draw_paused_card(Ui& ui, PausedBy by);
+
+enum class LostAnswer { Waiting, TakeMouse, Abandon };
+/// The device is away: why, and that it goes on by itself once it is there again. A practice may go
+/// on with the mouse, an assessment may be given up.
+/// trouble  a sentence; may be empty
+LostAnswer draw_device_lost_card(Ui& ui, bool is_practice, const std::string& trouble);
 
 /// A full disk: where it is, and that nothing is lost. True where somebody does not wait for room.
 /// directory  that is recorded into

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "scenarios/planned_guide.h"
+#include "ui/jobs/devices/device_sentences.h"
 #include "ui/screens/operating/hand/rail_of_step.h"
 
 namespace hallux::ui {
@@ -34,8 +35,8 @@ void OperatingField::make_ready(PreparedOperation prepared,
 
 void OperatingField::run(const std::string& name, CommandedLoop& loop,
                          simulator::SteeredDevice& device) {
-  running_.reset(
-      new Running{loop, {name, prepared_case(), loop.watch(), std::move(prepared_.picture)}});
+  running_.reset(new Running{
+      loop, device, {name, prepared_case(), loop.watch(), std::move(prepared_.picture)}});
   session_.run(loop, device);
 }
 
@@ -44,7 +45,8 @@ void OperatingField::run(const std::string& name, CommandedLoop& loop,
 void OperatingField::hear(Ui& ui, Shell& shell) {
   viewport_.set_display(ui.display());
   const AreaResponse area = ui.area(view_area, ui.text(view_area), ui.display());
-  session_.watch({ui.has_lost_keys(), ui.has_pointer_left() && viewport_.is_led_by_pointer(),
+  const bool is_by_pointer = session_.saw().is_led_by_window() && viewport_.is_led_by_pointer();
+  session_.watch({ui.has_lost_keys(), ui.has_pointer_left() && is_by_pointer,
                   reachable_layer(ui.shown()) > Layer::Page},
                  ui.time_s());
   if (session_.is_heard()) {
@@ -102,7 +104,10 @@ void OperatingField::take_up_step(const Texts& texts) {
 void OperatingField::lead(Ui& ui, const AreaResponse& area, const Steered& steered) {
   if (!session_.is_led()) return viewport_.release_pointer();
   if (steered.switches_saw) session_.set_saw_on(!session_.saw().is_on());
-  session_.lift(viewport_.lift().is_lifted());
+  // A hand that was lifted off an arm comes back elsewhere: not while the bone holds the blade.
+  const bool may_lift = session_.saw().is_led_by_window() ||
+                        !has(running_->view.sample.status, simulator::ToolStatus::InKerf);
+  session_.lift(may_lift && viewport_.lift().is_lifted());
   if (guidance_ == simulator::Guidance::Slot) {
     session_.set_rail(rail_of_step(prepared_case(), session_.steps().step(),
                                    running_->site == nullptr ? nullptr : &running_->site->cuts,
@@ -110,10 +115,12 @@ void OperatingField::lead(Ui& ui, const AreaResponse& area, const Steered& steer
   }
   session_.lead(std::array{steered.by_mouse, steered.by_keys}, viewport_.world_from_view(),
                 ui.time_s());
-  if (area.is_hovered && !viewport_.lift().stays_lifted()) ui.hide_pointer();
+  if (session_.saw().is_led_by_window() && area.is_hovered && !viewport_.lift().stays_lifted())
+    ui.hide_pointer();
 }
 
 void OperatingField::hold_pointer(Ui& ui, const Preferences& preferences) const {
+  if (!session_.saw().is_led_by_window()) return;
   if (preferences.captures_pointer && session_.is_led() && !viewport_.lift().stays_lifted())
     ui.capture_pointer(view_area);
 }
@@ -122,6 +129,7 @@ void OperatingField::hold_pointer(Ui& ui, const Preferences& preferences) const 
 void OperatingField::apply_loop(Ui& ui, Shell& shell) {
   running_->view = running_->loop.view();
   running_->site = running_->bone.site();
+  see_saw();
   if (session_.phase() != OperatingSession::Phase::Operating &&
       session_.phase() != OperatingSession::Phase::Sealing)
     return;
@@ -130,6 +138,34 @@ void OperatingField::apply_loop(Ui& ui, Shell& shell) {
   tell(ui, shell, session_.apply(running_->bone.take_events(), ui.time_s()));
   if (session_.update_storage()) ui.want_frame_in_s(0.0);
   if (session_.pausing().is_storage_full()) ui.want_frame_in_s(look_again_s);
+}
+
+void OperatingField::see_saw() {
+  const simulator::LoopView& view = running_->view;
+  if (view.lines == 0) return;
+  const auto bit_where = [&](simulator::ToolStatus status, simulator::Switch which) {
+    return has(view.sample.status, status) ? bit(which) : 0U;
+  };
+  session_.see_saw(transform_from(view.sample.world_from_tool),
+                   bit_where(simulator::ToolStatus::SawOn, simulator::Switch::SawRuns) |
+                       bit_where(simulator::ToolStatus::Irrigated, simulator::Switch::Irrigates));
+  session_.see_device(view.is_device_lost);
+}
+
+bool OperatingField::is_waiting() const {
+  if (session_.phase() == OperatingSession::Phase::Ready) return false;
+  if (running_ == nullptr || session_.is_device_lost()) return true;
+  return !session_.pausing().is_paused() || !running_->bone.is_up_to_date();
+}
+
+std::string OperatingField::device_trouble() const {
+  const simulator::TroubleReport trouble = running_->device.trouble();
+  const std::optional<simulator::DeviceFacts> facts = running_->device.facts();
+  if (!trouble || !facts) return {};
+  const simulator::KindFacts* const kind = simulator::kind_named(facts->kind);
+  if (kind == nullptr) return {};
+  const std::string mend = mend_of(trouble, *kind, facts->kind);
+  return sentence_of(trouble, *kind) + (mend.empty() ? "." : "; " + mend + ".");
 }
 
 void OperatingField::tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const {
@@ -160,8 +196,7 @@ void OperatingField::show(Ui& ui, Shell& shell, std::span<const Mark> goals) {
                   .goals = goals});
   if (session_.is_led() || shell.scenes().is_unfinished()) {
     ui.want_frame_in_s(0.0);
-  } else if (session_.phase() != OperatingSession::Phase::Ready &&
-             (bone == nullptr || !bone->is_up_to_date() || !is_paused)) {
+  } else if (is_waiting()) {
     ui.want_frame_in_s(soon_s);
   }
 }
@@ -238,6 +273,7 @@ void OperatingField::answer(const HudAnswer& answer) {
 HandState OperatingField::hand(const Ui& ui) const {
   if (!session_.is_led()) return HandState::Off;
   if (session_.saw().is_lifted()) return HandState::Lifted;
+  if (!session_.saw().is_led_by_window()) return HandState::OnDevice;
   return ui.captured_by() == view_area ? HandState::Led : HandState::LedFree;
 }
 
@@ -262,6 +298,7 @@ OperatingHealth OperatingField::health(const Ui& ui, Shell& shell) {
   health.triangles = static_cast<long>(shell.scenes().triangles());
   const std::string_view trouble = trouble_of(loop, running_->bone.has_failed());
   if (!trouble.empty()) health.trouble = ui.text(trouble);
+  if (health.trouble.empty()) health.trouble = device_trouble();
   return health;
 }
 

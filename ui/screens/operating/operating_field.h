@@ -4,7 +4,6 @@
 ///     keys, pointer --> session --> loop --> picture, sound, facts of the panels
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +11,7 @@
 #include <vector>
 
 #include "ui/jobs/commanded_loop.h"
+#include "ui/jobs/devices/lent_hand.h"
 #include "ui/screens/operating/hud/operating_hud.h"
 #include "ui/screens/operating/hud_facts.h"
 #include "ui/screens/operating/operating_session.h"
@@ -21,11 +21,6 @@
 #include "ui/window/shell/shell.h"
 
 namespace hallux::ui {
-
-/// Lends a device whose hand holds the saw in that pose.
-/// thread  any but the window's
-using LendDevice = std::function<std::unique_ptr<simulator::SteeredDevice>(
-    const RigidTransform& world_from_start)>;
 
 class OperatingField {
  public:
@@ -46,6 +41,10 @@ class OperatingField {
   /// name    for the names of the pictures
   void run(const std::string& name, CommandedLoop& loop, simulator::SteeredDevice& device);
   bool is_running() const noexcept { return running_ != nullptr; }
+  /// Where the saw is held when it begins.
+  HandStart start() const {
+    return {session_.saw().world_from_target(), viewport_.world_from_view()};
+  }
 
   // -- of a frame, in this order
   /// Hears hands and keys, and leads the saw.
@@ -62,6 +61,8 @@ class OperatingField {
   // -- what there is to tell; needs it is running
   /// As of this frame.
   const simulator::LoopView& loop() const noexcept { return running_->view; }
+  /// Why the device is away, and what mends it; empty where it is well.
+  std::string device_trouble() const;
   /// Null before it is known, and after a hinge was closed.
   const SiteFacts* site() const noexcept { return running_->site.get(); }
   HudSources sources(const Texts& texts) const;
@@ -79,6 +80,7 @@ class OperatingField {
   /// The loop that runs, with what follows it.
   struct Running {
     CommandedLoop& loop;
+    simulator::SteeredDevice& device;
     BoneBeingCut bone;
     /// Once the saw is to be heard.
     std::unique_ptr<SawPlayer> player = {};
@@ -106,6 +108,9 @@ class OperatingField {
   void lead(Ui& ui, const AreaResponse& area, const Steered& steered);
   void tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const;
   void sound_the_saw(Shell& shell);
+  void see_saw();
+  /// Something may change that nobody did at this window.
+  bool is_waiting() const;
   /// The cut in which the saw is, else the one that the step at hand asks for; null where people
   /// are to know nothing of the plan.
   const scenarios::PlannedCut* known_cut() const;

@@ -96,15 +96,25 @@ void OperatingScreen::begin(Ui& ui, Shell& shell) {
   work_.start(
       shell, text_in(ui, "operate.beginning"),
       [signed_in = signed_in_, prepared_case = field_.prepared().prepared_case,
-       what = what_to_begin(), start = session().saw().world_from_target(), lend = lend_device_,
-       begun](WorkReport&) {
-        std::unique_ptr<simulator::SteeredDevice> device = lend(start);
-        begun->device = device.get();
-        begun->live = begin_operation(*signed_in, prepared_case, what, std::move(device));
+       what = what_to_begin(), start = field_.start(), lend = lend_device_,
+       begun](WorkReport& report) {
+        try {
+          std::unique_ptr<simulator::SteeredDevice> device =
+              lend(start, [&](double) { return report.reached(0.0); });
+          begun->device = device.get();
+          begun->live = begin_operation(*signed_in, prepared_case, what, std::move(device));
+        } catch (const DeviceRefused& refused) {
+          begun->refused = refused.what();
+        }
       },
-      [this, begun](WorkEnd end, const std::string& reason) {
+      [this, &shell, begun, title = text_in(ui, "operate.refused")](WorkEnd end,
+                                                                    const std::string& reason) {
         if (end == WorkEnd::Cancelled) return session().take_back();
         if (end == WorkEnd::Failed) return session().fail_to_begin(reason);
+        if (!begun->refused.empty()) {
+          shell.say({Meaning::Warn, title, sentence_of(begun->refused)});
+          return session().take_back();
+        }
         live_ = std::move(begun->live);
         field_.run(live_->attempt().text, *live_, *begun->device);
       });
@@ -148,17 +158,34 @@ void OperatingScreen::draw_cards(Ui& ui, Shell& shell) {
     if (draw_storage_full_card(ui, live_->directory())) session().abandon_unstored(ui.time_s());
   } else if (phase == Phase::Sealing) {
     draw_sealing(ui, session().ended_s());
+  } else if (session().is_device_lost()) {
+    draw_device_lost(ui);
   } else if (session().pausing().is_paused()) {
     if (draw_paused_card(ui, session().pausing().by())) session().go_on();
   }
 }
 
 void OperatingScreen::draw_ready(Ui& ui, Shell& shell) {
-  const ReadyAnswer answer =
-      draw_ready_card(ui, field_.prepared_case().scenario.title, session().is_practice(),
-                      session().phase() == Phase::Beginning);
+  const bool is_beginning = session().phase() == Phase::Beginning;
+  const ReadyAnswer answer = draw_ready_card(
+      ui, field_.prepared_case().scenario.title,
+      ready_text(ui, session().is_practice(), is_beginning, shell.preferences().device),
+      is_beginning);
   if (answer == ReadyAnswer::Begin) begin(ui, shell);
   if (answer == ReadyAnswer::Back) shell.pop();
+}
+
+void OperatingScreen::draw_device_lost(Ui& ui) {
+  switch (draw_device_lost_card(ui, session().is_practice(), field_.device_trouble())) {
+    case LostAnswer::Waiting:
+      break;
+    case LostAnswer::TakeMouse:
+      session().take_over_from_device();
+      break;
+    case LostAnswer::Abandon:
+      session().ask(Asked::Abandon);
+      break;
+  }
 }
 
 void OperatingScreen::draw_hud(Ui& ui, Shell& shell) {

@@ -40,6 +40,8 @@ class OperatingScreen : public Screen {
     std::unique_ptr<LiveAttempt> live;
     /// Of live.
     simulator::SteeredDevice* device = nullptr;
+    /// Why the device cannot be had; empty where it is.
+    std::string refused = {};
   };
   using Phase = OperatingSession::Phase;
 
@@ -55,6 +57,7 @@ class OperatingScreen : public Screen {
   simulator::ShownView shown_view(const Ui& ui) const;
   void draw_cards(Ui& ui, Shell& shell);
   void draw_ready(Ui& ui, Shell& shell);
+  void draw_device_lost(Ui& ui);
   void draw_hud(Ui& ui, Shell& shell);
   void ask(Ui& ui);
   void draw_stopped(Ui& ui, Shell& shell);

@@ -66,7 +66,19 @@ void OperatingSession::pause(PausedBy by) {
 }
 
 void OperatingSession::go_on() {
-  if (phase_ == Phase::Operating && pausing_.go_on()) attempt_->resume();
+  if (is_device_lost_ || phase_ != Phase::Operating) return;
+  if (pausing_.go_on()) attempt_->resume();
+}
+
+void OperatingSession::see_device(bool is_lost) {
+  if (phase_ != Phase::Operating || is_lost == is_device_lost_) return;
+  is_device_lost_ = is_lost;
+  if (is_lost) return pause(PausedBy::DeviceLost);
+  if (asked() == Asked::Nothing && pausing_.by() == PausedBy::DeviceLost) go_on();
+}
+
+void OperatingSession::take_over_from_device() {
+  if (is_device_lost_ && is_practice()) saw_.take_over();
 }
 
 void OperatingSession::toggle_pause() {

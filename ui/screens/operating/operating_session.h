@@ -73,6 +73,8 @@ class OperatingSession {
   Phase phase() const noexcept { return phase_; }
   const LedSaw& saw() const noexcept { return saw_; }
   const Pausing& pausing() const noexcept { return pausing_; }
+  /// The device that a hand held is away.
+  bool is_device_lost() const noexcept { return is_device_lost_; }
   const StepProgress& steps() const noexcept { return steps_; }
   Asked asked() const noexcept { return asking_.what; }
   Staying staying() const noexcept;
@@ -119,6 +121,15 @@ class OperatingSession {
   void pause(PausedBy by);
   void go_on();
   void toggle_pause();
+
+  /// Where the loop has put the saw, and what runs (bits of Switch).
+  void see_saw(const RigidTransform& world_from_tool, std::uint32_t switches) noexcept {
+    saw_.see(world_from_tool, switches);
+  }
+  /// Pauses while the device is away; it goes on by itself once it is there again.
+  void see_device(bool is_lost);
+  /// Mouse and keys lead on in place of the device that is away; in practice alone.
+  void take_over_from_device();
 
   // -- steps
   /// The button of the step at hand. Where bone still holds in the cut of that step it asks first,
@@ -169,6 +180,7 @@ class OperatingSession {
   LedSaw saw_;
   Pausing pausing_;
   StepProgress steps_;
+  bool is_device_lost_ = false;
   /// The step of which it was asked whether it ends unfinished.
   std::optional<std::size_t> asked_of_step_;
   Asking asking_;

@@ -9,7 +9,16 @@
 namespace hallux::ui {
 
 /// The cause of a pause, as people are told it.
-enum class PausedBy { Person, Locked, KeysLost, PointerLeft, Covered, Stillness, RoomAgain };
+enum class PausedBy {
+  Person,
+  Locked,
+  KeysLost,
+  PointerLeft,
+  Covered,
+  Stillness,
+  RoomAgain,
+  DeviceLost
+};
 
 class Pausing {
  public:

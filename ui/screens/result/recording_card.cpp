@@ -29,9 +29,9 @@ std::string limits_text(const Texts& texts, std::uint32_t limits) {
 }
 
 constexpr std::array<std::string_view, database::stored_names<database::Invalidity>.size()>
-    invalidity_texts{"invalid.samples_lost",  "invalid.ticks_left_out", "invalid.ticks_doubled",
-                     "invalid.clock_stepped", "invalid.time_unseen",    "invalid.ticks_missed",
-                     "invalid.device_faulted"};
+    invalidity_texts{"invalid.samples_lost",   "invalid.ticks_left_out", "invalid.ticks_doubled",
+                     "invalid.clock_stepped",  "invalid.time_unseen",    "invalid.ticks_missed",
+                     "invalid.device_faulted", "invalid.device_changed"};
 
 /// What was sealed counts; the reasons are those of the certificate.
 std::string validity_text(const Texts& texts, const ResultFacts& facts) {

@@ -27,7 +27,8 @@ enum class GuideSection : std::uint8_t {
   Scenarios,
   Records,
   LeftOpen,
+  Devices,
 };
-inline constexpr int guide_section_count = 20;
+inline constexpr int guide_section_count = 21;
 
 }  // namespace hallux::ui

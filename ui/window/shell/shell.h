@@ -42,6 +42,8 @@ struct Preferences {
   bool captures_pointer = true;
   /// Panels that a right hand would cover change sides.
   bool is_left_handed = false;
+  /// The id of what operates: "mouse", or a device of this station.
+  std::string device = "mouse";
   /// Numbers of the people who were offered the first flight and answered, ascending.
   std::vector<std::int64_t> offered_flight = {};
 

@@ -37,7 +37,13 @@ class NotedDevice final : public simulator::SteeredDevice {
     place_mm = aim.world_from_target.translation_mm;
     switches = aim.switches;
     unyielding = aim.unyielding_in_world;
+    aimed = aim;
     ++aims;
+  }
+  Led led() const noexcept override { return leads; }
+  void hand_over(const RigidTransform& world_from_start) override {
+    leads = Led::Pose;
+    place_mm = world_from_start.translation_mm;
   }
   simulator::DeviceDescription description() const override { return {"Noted", "mouse"}; }
   bool exchange(const Vec3&, std::int64_t, simulator::RawDeviceState&) noexcept override {
@@ -47,6 +53,9 @@ class NotedDevice final : public simulator::SteeredDevice {
   Vec3 place_mm{0.0, 0.0, 0.0};
   Vec3 unyielding{0.0, 0.0, 0.0};
   std::uint32_t switches = 0;
+  Aim aimed;
+  /// What the window leads of it.
+  Led leads = Led::Pose;
   int aims = 0;
 };
 

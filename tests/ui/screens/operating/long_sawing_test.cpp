@@ -233,7 +233,9 @@ TEST_F(LongSawing, TakesNoMoreMemoryTheLongerItLasts) {
   EXPECT_GE(jobs.requests, jobs_at_least);
   ASSERT_EQ(looks.size(), 3U);
   EXPECT_LE(looks.back().in_use_mib, looks.front().in_use_mib + allowed_in_use_mib);
+#ifndef __SANITIZE_THREAD__  // what it notes of each address is resident, too
   EXPECT_LE(looks.back().resident_mib, looks.front().resident_mib + allowed_resident_mib);
+#endif
 }
 
 }  // namespace

@@ -126,6 +126,42 @@ TEST(OperatingSession, ASawThatIsOffIsTakenAwayByTheKeyboardAlone) {
   EXPECT_EQ(operation.session.pausing().by(), PausedBy::KeysLost);
 }
 
+TEST(OperatingSession, ALostDeviceIsWaitedForAndItGoesOnByItself) {
+  LedOperation operation;
+  operation.saw(1.0);
+  operation.session.see_device(true);
+  EXPECT_EQ(operation.session.pausing().by(), PausedBy::DeviceLost);
+  EXPECT_TRUE(operation.session.is_device_lost());
+  operation.session.go_on();
+  EXPECT_TRUE(operation.session.pausing().is_paused()) << "there is nothing to go on with";
+  operation.session.see_device(true);
+  operation.session.see_device(false);
+  EXPECT_FALSE(operation.session.pausing().is_paused());
+  EXPECT_THAT(operation.attempt.told, ElementsAre("pause", "resume"));
+}
+
+TEST(OperatingSession, WhatPausedBeforeTheDeviceWasLostStaysPaused) {
+  LedOperation operation;
+  operation.session.pause(PausedBy::Person);
+  operation.session.see_device(true);
+  operation.session.see_device(false);
+  EXPECT_TRUE(operation.session.pausing().is_paused());
+  EXPECT_EQ(operation.session.pausing().by(), PausedBy::Person);
+}
+
+TEST(OperatingSession, OnlyAPracticeGoesOnWithTheMouse) {
+  for (const auto kind : {database::AttemptKind::Practice, database::AttemptKind::Assessment}) {
+    LedOperation operation(kind);
+    operation.device.leads = simulator::SteeredDevice::Led::Rotation;
+    operation.session.see_saw({Quat(1.0, 0.0, 0.0, 0.0), start_mm}, 0);
+    operation.session.take_over_from_device();
+    EXPECT_FALSE(operation.session.saw().is_led_by_window()) << "it is there";
+    operation.session.see_device(true);
+    operation.session.take_over_from_device();
+    EXPECT_EQ(operation.session.saw().is_led_by_window(), kind == database::AttemptKind::Practice);
+  }
+}
+
 TEST(OperatingSession, TheCauseOfAPauseIsTheFirst) {
   LedOperation operation;
   operation.session.pause(PausedBy::Covered);

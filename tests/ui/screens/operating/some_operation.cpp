@@ -104,8 +104,8 @@ bool soon(const std::function<bool()>& holds) {
 
 Progress no_progress(const std::string&) { return {}; }
 
-std::unique_ptr<simulator::SteeredDevice> some_mouse(const RigidTransform& world_from_start) {
-  return std::make_unique<simulator::MouseDevice>(world_from_start);
+std::unique_ptr<simulator::SteeredDevice> some_mouse(const HandStart& start, const Progress&) {
+  return std::make_unique<simulator::MouseDevice>(start.world_from_tool);
 }
 
 Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size,

@@ -62,7 +62,8 @@ bool soon(const std::function<bool()>& holds);
 Progress no_progress(const std::string& stage);
 
 /// Where operations get their device from.
-std::unique_ptr<simulator::SteeredDevice> some_mouse(const RigidTransform& world_from_start);
+std::unique_ptr<simulator::SteeredDevice> some_mouse(const HandStart& start,
+                                                     const Progress& progress);
 
 /// Ada before the operating screen, over a screen to come back to. Another painter may stand in for
 /// the one that notes; it must have begun a frame whenever one is made.

@@ -73,9 +73,10 @@ void FlightScreen::lay_block(Ui& ui, Shell& shell) {
   auto laid = std::make_shared<Laid>();
   work_.start(
       shell, std::string(ui.text("flight.preparing")),
-      [prepared_case = field.prepared().prepared_case, lend = lend_device_,
-       start = field.session().saw().world_from_target(), laid](WorkReport&) {
-        std::unique_ptr<simulator::SteeredDevice> device = lend(start);
+      [prepared_case = field.prepared().prepared_case, lend = lend_device_, start = field.start(),
+       laid](WorkReport& report) {
+        std::unique_ptr<simulator::SteeredDevice> device =
+            lend(start, [&](double) { return report.reached(0.0); });
         laid->device = device.get();
         laid->loop = std::make_unique<UnrecordedAttempt>(prepared_case, std::move(device));
       },
@@ -200,10 +201,15 @@ void FlightScreen::draw_cards(Ui& ui, Shell& shell) {
   }
   if (block_->field.session().phase() != Phase::Operating) return;
   if (block_->field.are_panels_shown()) draw_hud(ui, shell);
-  const OperatingSession& session = block_->field.session();
-  if (session.phase() == Phase::Operating && !lessons_.are_over() &&
-      session.pausing().is_paused() && draw_paused_card(ui, session.pausing().by()))
-    block_->field.session().go_on();
+  OperatingSession& session = block_->field.session();
+  if (session.phase() != Phase::Operating || lessons_.are_over()) return;
+  if (session.is_device_lost()) {
+    const std::string trouble = block_->field.device_trouble();
+    if (draw_device_lost_card(ui, session.is_practice(), trouble) == LostAnswer::TakeMouse)
+      session.take_over_from_device();
+  } else if (session.pausing().is_paused() && draw_paused_card(ui, session.pausing().by())) {
+    session.go_on();
+  }
 }
 
 void FlightScreen::draw_stopped(Ui& ui, Shell& shell) {

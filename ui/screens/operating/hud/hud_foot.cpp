@@ -33,6 +33,10 @@ std::vector<Part> parts_of_hand(const Ui& ui, HandState hand) {
     add_words(parts, ui.text("operate.foot.lifted"));
     return parts;
   }
+  if (hand == HandState::OnDevice) {
+    add_words(parts, ui.text("operate.foot.device"));
+    return parts;
+  }
   if (hand == HandState::LedFree) add_words(parts, ui.text("operate.foot.free"));
   for (const BoundGesture& bound : bound_gestures) {
     if (!bound.is_usual) continue;

@@ -45,7 +45,7 @@ struct ToolPlace {
 };
 
 /// How the hand is on the saw.
-enum class HandState { Led, LedFree, Lifted, Off };
+enum class HandState { Led, LedFree, OnDevice, Lifted, Off };
 
 /// What is to be learned now, in place of an attempt.
 struct HudLesson {

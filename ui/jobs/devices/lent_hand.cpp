@@ -1,0 +1,43 @@
+#include "ui/jobs/devices/lent_hand.h"
+
+#include "ui/jobs/devices/device_sentences.h"
+#include "ui/jobs/devices/device_test.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using simulator::DeviceTrouble;
+using simulator::TroubleReport;
+
+std::string words_of(const TroubleReport& trouble, const simulator::FoundDevice& device) {
+  const simulator::KindFacts& kind = facts_of(device.kind);
+  const std::string mend = mend_of(trouble, kind, device.id);
+  return sentence_of(trouble, kind) + (mend.empty() ? "" : "; " + mend);
+}
+
+}  // namespace
+
+DeviceRefused::DeviceRefused(const TroubleReport& trouble, const simulator::FoundDevice& device)
+    : std::runtime_error(words_of(trouble, device)) {}
+
+void bring_home(simulator::Station& station, const simulator::FoundDevice& device,
+                const Progress& progress) {
+  const std::shared_ptr<simulator::DevicePort> port = station.open(device.id);
+  if (port && is_brought_home(*port, progress)) return;
+  TroubleReport trouble =
+      port ? port->trouble() : TroubleReport{DeviceTrouble::Unplugged, device.address, {}};
+  if (!trouble) trouble.trouble = DeviceTrouble::NotHomed;
+  throw DeviceRefused(trouble, device);
+}
+
+std::unique_ptr<simulator::LentDevice> lend_hand(const std::shared_ptr<simulator::Station>& station,
+                                                 const simulator::FoundDevice& device,
+                                                 const HandStart& start) {
+  auto lent = lend(station, device.id,
+                   setup_of(*station, device, start.world_from_tool, start.world_from_view));
+  if (!lent) throw DeviceRefused({DeviceTrouble::Unplugged, device.address, {}}, device);
+  return lent;
+}
+
+}  // namespace hallux::ui

@@ -1,0 +1,44 @@
+/// Devices for whoever operates: brought home, and lent where the saw begins.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "simulator/base/progress.h"
+#include "simulator/device/station/lent_device.h"
+
+namespace hallux::ui {
+
+/// Why a device cannot be had, and what mends it, in a sentence.
+class DeviceRefused : public std::runtime_error {
+ public:
+  DeviceRefused(const simulator::TroubleReport& trouble, const simulator::FoundDevice& device);
+  explicit DeviceRefused(const std::string& sentence) : std::runtime_error(sentence) {}
+};
+
+/// Where the saw is held when an operation begins, and how the person sees it there.
+struct HandStart {
+  RigidTransform world_from_tool;
+  Quat world_from_view{1.0, 0.0, 0.0, 0.0};
+};
+
+/// Lends a device whose hand holds the saw in that pose.
+/// errors  DeviceRefused; Cancelled
+/// thread  any but the window's
+using LendDevice = std::function<std::unique_ptr<simulator::SteeredDevice>(
+    const HandStart& start, const Progress& progress)>;
+
+/// Opens a device, and waits until somebody has brought its grip home.
+/// errors  DeviceRefused; Cancelled
+void bring_home(simulator::Station& station, const simulator::FoundDevice& device,
+                const Progress& progress);
+
+/// Lends one that was brought home.
+/// errors  DeviceRefused
+std::unique_ptr<simulator::LentDevice> lend_hand(const std::shared_ptr<simulator::Station>& station,
+                                                 const simulator::FoundDevice& device,
+                                                 const HandStart& start);
+
+}  // namespace hallux::ui

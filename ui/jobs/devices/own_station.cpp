@@ -1,0 +1,36 @@
+#include "ui/jobs/devices/own_station.h"
+
+#include "simulator/device/mouse.h"
+#include "ui/jobs/devices/devices_file.h"
+
+namespace hallux::ui {
+
+std::shared_ptr<simulator::Station> OwnStation::get() {
+  const std::lock_guard lock(mutex_);
+  if (!station_) station_ = std::make_shared<simulator::Station>(read_devices(data_directory_));
+  return station_;
+}
+
+void OwnStation::forget() {
+  const std::lock_guard lock(mutex_);
+  station_.reset();
+}
+
+std::unique_ptr<simulator::SteeredDevice> OwnStation::lend(const std::string& id,
+                                                           const HandStart& start,
+                                                           const Progress& progress) {
+  if (id == mouse_id) return std::make_unique<simulator::MouseDevice>(start.world_from_tool);
+  const std::shared_ptr<simulator::Station> station = get();
+  const std::vector<simulator::FoundDevice> devices = station->look();
+  const simulator::FoundDevice* found = device_with(devices, id);
+  if (found == nullptr) {
+    throw DeviceRefused(id +
+                        ": is not plugged in; plug it in, or choose another device under "
+                        "Devices");
+  }
+  if (!found->is_usable()) throw DeviceRefused(found->trouble, *found);
+  bring_home(*station, *found, progress);
+  return lend_hand(station, *found, start);
+}
+
+}  // namespace hallux::ui
