@@ -18,18 +18,19 @@ double response(double share, double dead_share) noexcept {
   return std::copysign(beyond * beyond, share);
 }
 
-Vec3 response(const Vec3& shares, double dead_share) noexcept {
+}  // namespace
+
+Vec3 rate_response(const Vec3& shares, double dead_share) noexcept {
   return {response(shares.x, dead_share), response(shares.y, dead_share),
           response(shares.z, dead_share)};
 }
 
-}  // namespace
-
 void RateControl::advance(const Deflection& deflection, const Quat& world_from_view) noexcept {
   const double follow = std::min(1.0, step_s / settings_.smoothing_s);
-  const Vec3 wanted_mm_s = settings_.speed_mm_s * response(deflection.pushed, settings_.dead_share);
+  const Vec3 wanted_mm_s =
+      settings_.speed_mm_s * rate_response(deflection.pushed, settings_.dead_share);
   const Vec3 wanted_rad_s =
-      settings_.turn_rad_s * response(deflection.turned, settings_.dead_share);
+      settings_.turn_rad_s * rate_response(deflection.turned, settings_.dead_share);
   velocity_mm_s_ += follow * (wanted_mm_s - velocity_mm_s_);
   turn_rad_s_ += follow * (wanted_rad_s - turn_rad_s_);
   world_from_hand_.translation_mm += world_from_view * (step_s * velocity_mm_s_);

@@ -16,6 +16,10 @@ struct RateSettings {
   double smoothing_s = 0.05;
 };
 
+/// Which share of the greatest speed a deflection asks for: nothing in the dead zone, gently near
+/// it.
+Vec3 rate_response(const Vec3& shares, double dead_share) noexcept;
+
 class RateControl {
  public:
   explicit RateControl(const RigidTransform& world_from_hand, const RateSettings& settings = {})

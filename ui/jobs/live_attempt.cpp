@@ -50,11 +50,12 @@ std::optional<double> force_scale_of(const simulator::HapticDevice& device,
 LiveAttempt::LiveAttempt(std::shared_ptr<const PreparedCase> prepared_case,
                          const database::Database& database, database::WriterLease lease,
                          std::unique_ptr<simulator::HapticDevice> device,
-                         simulator::Guidance guidance)
+                         simulator::Guidance guidance, std::string second_device)
     : CommandedLoop(force_scale_of(*device, *prepared_case, guidance)),
       prepared_case_(std::move(prepared_case)),
       guidance_(guidance),
       device_(std::move(device)),
+      second_device_(std::move(second_device)),
       attempt_(lease.attempt()),
       directory_(database.directory()) {
   say({simulator::CommandKind::Start, 0, 0});
@@ -144,6 +145,7 @@ void LiveAttempt::operate(const database::Database& database, database::WriterLe
   if (!is_finished) return;
   Quality quality = quality_of(end_.loop, end_.recorder);
   quality.device = device_->facts();
+  quality.second_device = second_device_;
   end_.recorder = recorder.finish(quality_json(quality));
   end_.is_sealed = true;
 }

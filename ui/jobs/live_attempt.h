@@ -52,6 +52,8 @@ struct LiveBegin {
   std::string stereo_mode = "mono";
   /// As the device's description says it.
   std::string device_class = {};
+  /// The kind's id, of the other hand; empty: none.
+  std::string second_device = {};
 };
 
 /// Stores the bone and begins the attempt.
@@ -74,7 +76,7 @@ class LiveAttempt final : public CommandedLoop {
   /// needs   `prepared_case` outlives it
   LiveAttempt(std::shared_ptr<const PreparedCase> prepared_case, const database::Database& database,
               database::WriterLease lease, std::unique_ptr<simulator::HapticDevice> device,
-              simulator::Guidance guidance);
+              simulator::Guidance guidance, std::string second_device = {});
   /// Stops it where it still runs; what was recorded is committed.
   ~LiveAttempt() override;
   LiveAttempt(const LiveAttempt&) = delete;
@@ -112,6 +114,7 @@ class LiveAttempt final : public CommandedLoop {
   std::shared_ptr<const PreparedCase> prepared_case_;
   simulator::Guidance guidance_;
   std::unique_ptr<simulator::HapticDevice> device_;
+  std::string second_device_;
   simulator::AttemptChannels channels_;
   NotedViews noted_views_{channels_.display_facts};
   database::AttemptId attempt_;

@@ -125,6 +125,7 @@ std::string quality_json(const Quality& quality) {
   json["force_limits"] = names_of_limits(quality.force_limits);
   json["force_law"] = name_of(quality.force_law);
   if (quality.device) json["device"] = json_of(*quality.device);
+  if (!quality.second_device.empty()) json["second_device"] = quality.second_device;
   return json.dump();
 }
 
@@ -140,6 +141,7 @@ std::optional<Quality> quality_from_json(const std::string& json) {
     const auto law = force_law_from(found.value("force_law", name_of(quality.force_law)));
     if (!law) return std::nullopt;
     quality.force_law = *law;
+    quality.second_device = found.value("second_device", quality.second_device);
     if (found.contains("device")) quality.device = device_from(found["device"]);
     return quality;
   } catch (const nlohmann::json::exception&) {

@@ -24,6 +24,8 @@ struct Quality {
   simulator::ForceLaw force_law = simulator::ForceLaw::Simulated;
   /// With what it was operated; none: a mouse, a script or a modelled arm.
   std::optional<simulator::DeviceFacts> device = std::nullopt;
+  /// The kind's id of what the other hand held; empty: none.
+  std::string second_device = {};
 };
 
 Quality quality_of(const simulator::LoopStatistics& loop,

@@ -20,7 +20,7 @@ std::filesystem::path write_firmware(const std::filesystem::path& folder) {
   bytes[1] = 0x08;
   bytes[22] = static_cast<char>(words & 0xFFU);
   bytes[23] = static_cast<char>(words >> 8U);
-  const std::filesystem::path file = folder / "falcon.bin";
+  std::filesystem::path file = folder / "falcon.bin";
   std::ofstream(file, std::ios::binary).write(bytes.data(), bytes.size());
   return file;
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "simulator/base/units.h"
+#include "simulator/device/station/second_hand.h"
 
 namespace hallux::simulator {
 namespace {
@@ -52,6 +53,21 @@ TEST(RateControl, AFullerPushThanThereIsIsFull) {
   hold(twice, {{2.0, 0.0, 0.0}, {}}, 100);
   hold(once, {{1.0, 0.0, 0.0}, {}}, 100);
   EXPECT_EQ(twice.world_from_hand(), once.world_from_hand());
+}
+
+// The same deflection leads the same way, whether it holds the saw or turns what another holds.
+TEST(SecondHand, TurnsAndMovesAsOneThatLeads) {
+  for (const Deflection& deflection :
+       {Deflection{{}, {0.0, 1.0, 0.0}}, Deflection{{}, {-0.7, 0.0, 0.0}},
+        Deflection{{}, {0.0, 0.0, 0.5}}, Deflection{{0.4, -0.8, 0.6}, {}}}) {
+    RateControl control(RigidTransform{}, RateSettings{.smoothing_s = step_s});
+    hold(control, deflection, 100);
+    RigidTransform turned;
+    for (int i = 0; i < 100; ++i) turned = steered(turned, straight, motion_of(deflection, step_s));
+    const RigidTransform& wanted = control.world_from_hand();
+    EXPECT_LT(length_of(turned.translation_mm - wanted.translation_mm), 1e-9);
+    EXPECT_NEAR(std::abs(glm::dot(turned.rotation, wanted.rotation)), 1.0, 1e-9);
+  }
 }
 
 }  // namespace

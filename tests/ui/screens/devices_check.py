@@ -57,6 +57,8 @@ def try_in_the_hand(hand, person, take_picture):
     hand.press("devices.let_go")
     hand.press("devices.choose")
     wait_until("the choice", lambda: not person.widgets()["devices.choose"]["enabled"])
+    hand.press("devices.row.space_mouse")
+    hand.press("devices.second")
 
 
 def begin_practice(hand):
@@ -77,6 +79,8 @@ def operate(hand, person, bus, place, take_picture):
     person.press("space")
     time.sleep(SOON_S)
     take_picture("operating_with_device")
+    angle = read_outs(person)["operate.plan.angle"]
+    wait_until("the other hand turns the saw", lambda: read_outs(person).get("operate.plan.angle", angle) != angle)
     bus.go_on()
     wait_until("the device is away", lambda: "operate.lost.mouse" in person.widgets(), PATIENCE_S)
     take_picture("device_away")
@@ -98,8 +102,8 @@ def check_record(place):
         place, "SELECT device_class, quality_json, is_valid FROM attempt WHERE device_class <> 'scripted' AND hand = ''"
                " ORDER BY attempt_id DESC LIMIT 1")
     quality = json.loads(quality)
-    found = (device_class, quality["device"]["kind"], quality["device_changed"], is_valid)
-    wanted = ("arm3", "falcon", True, 0)
+    found = (device_class, quality["device"]["kind"], quality["second_device"], quality["device_changed"], is_valid)
+    wanted = ("arm3", "falcon", "space_mouse", True, 0)
     if found != wanted or "device_changed" not in quality["not_valid_because"]:
         sys.exit(f"wanted {wanted}, found {found} in {quality}")
     if quality["pauses"] < 2 or quality["device"]["packets"] < 500:

@@ -166,15 +166,16 @@ void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind
   // An operation needs the memory that replays of the expert take, 30 to 70 MB each.
   made_replays_ = std::make_shared<MadeReplays>();
   shell_.push(std::make_unique<OperatingScreen>(
-      signed_in_, *this, OperationChoice{scenario, kind, guidance}, lend_device()));
+      signed_in_, *this, OperationChoice{scenario, kind, guidance}, lend_hands()));
 }
-LendDevice Course::lend_device() const {
-  return [station = station_, id = shell_.preferences().device](const HandStart& start,
-                                                                const Progress& progress) {
-    return station->lend(id, start, progress);
+LendHands Course::lend_hands() const {
+  return [station = station_, id = shell_.preferences().device,
+          second = shell_.preferences().second_device](const HandStart& start,
+                                                       const Progress& progress) {
+    return station->lend(id, second, start, progress);
   };
 }
-void Course::fly() { shell_.push(std::make_unique<FlightScreen>(signed_in_, lend_device())); }
+void Course::fly() { shell_.push(std::make_unique<FlightScreen>(signed_in_, lend_hands())); }
 void Course::show_result(const database::AttemptId& attempt) {
   shell_.push(std::make_unique<ResultScreen>(signed_in_, *this, attempt));
 }

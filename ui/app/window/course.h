@@ -61,8 +61,8 @@ class Course : public Navigator {
   /// What the person was told since they were here last.
   void tell_notices();
   void acknowledge(std::shared_ptr<SignedInSession> signed_in, const database::Notice& notice);
-  /// Of the device that is chosen now.
-  LendDevice lend_device() const;
+  /// Of the devices that are chosen now.
+  LendHands lend_hands() const;
   void lock();
   void sign_out();
 

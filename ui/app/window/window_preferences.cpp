@@ -25,6 +25,14 @@ bool flag(const ordered_json& kept, const char* key, bool usual) {
   return found != kept.end() && found->is_boolean() ? found->get<bool>() : usual;
 }
 
+/// The id of a device.
+std::string device(const ordered_json& kept, const char* key, const std::string& usual) {
+  const auto found = kept.find(key);
+  if (found == kept.end() || !found->is_string()) return usual;
+  std::string id = found->get<std::string>();
+  return id.size() <= device_letters_max ? id : usual;
+}
+
 /// Ascending, each once; what is no number is left out.
 std::vector<std::int64_t> numbers(const ordered_json& kept, const char* key) {
   std::vector<std::int64_t> found;
@@ -60,9 +68,8 @@ Preferences read_preferences(const fs::path& data_directory) {
   preferences.is_saw_heard = flag(kept, "saw_sound", preferences.is_saw_heard);
   preferences.captures_pointer = flag(kept, "captures_pointer", preferences.captures_pointer);
   preferences.is_left_handed = flag(kept, "left_handed", preferences.is_left_handed);
-  const ordered_json device = kept.value("device", ordered_json());
-  if (device.is_string() && device.get_ref<const std::string&>().size() <= device_letters_max)
-    preferences.device = device.get<std::string>();
+  preferences.device = device(kept, "device", preferences.device);
+  preferences.second_device = device(kept, "second_device", preferences.second_device);
   preferences.offered_flight = numbers(kept, "offered_flight");
   return preferences;
 }
@@ -78,6 +85,7 @@ void keep_preferences(const fs::path& data_directory, const Preferences& prefere
                           {"captures_pointer", preferences.captures_pointer},
                           {"left_handed", preferences.is_left_handed},
                           {"device", preferences.device},
+                          {"second_device", preferences.second_device},
                           {"offered_flight", preferences.offered_flight}};
   replace_own_file(data_directory / file_name, kept.dump(1) + "\n");
 }

@@ -8,6 +8,7 @@
 
 #include "simulator/base/progress.h"
 #include "simulator/device/station/lent_device.h"
+#include "simulator/device/station/second_hand.h"
 
 namespace hallux::ui {
 
@@ -24,11 +25,17 @@ struct HandStart {
   Quat world_from_view{1.0, 0.0, 0.0, 0.0};
 };
 
-/// Lends a device whose hand holds the saw in that pose.
+/// What somebody operates with.
+struct LentHands {
+  std::unique_ptr<simulator::SteeredDevice> saw;
+  /// Turns what the first holds, or the view; null: nothing.
+  std::unique_ptr<simulator::SecondHand> second = nullptr;
+};
+
+/// Lends a device whose hand holds the saw in that pose, and one for the other hand.
 /// errors  DeviceRefused; Cancelled
 /// thread  any but the window's
-using LendDevice = std::function<std::unique_ptr<simulator::SteeredDevice>(
-    const HandStart& start, const Progress& progress)>;
+using LendHands = std::function<LentHands(const HandStart& start, const Progress& progress)>;
 
 /// Opens a device, and waits until somebody has brought its grip home.
 /// errors  DeviceRefused; Cancelled

@@ -5,6 +5,23 @@
 
 namespace hallux::ui {
 
+namespace {
+
+/// errors  DeviceRefused
+simulator::FoundDevice usable(simulator::Station& station, const std::string& id) {
+  const std::vector<simulator::FoundDevice> devices = station.look();
+  const simulator::FoundDevice* found = device_with(devices, id);
+  if (found == nullptr) {
+    throw DeviceRefused(id +
+                        ": is not plugged in; plug it in, or choose another device under "
+                        "Devices");
+  }
+  if (!found->is_usable()) throw DeviceRefused(found->trouble, *found);
+  return *found;
+}
+
+}  // namespace
+
 std::shared_ptr<simulator::Station> OwnStation::get() {
   const std::lock_guard lock(mutex_);
   if (!station_) station_ = std::make_shared<simulator::Station>(read_devices(data_directory_));
@@ -16,21 +33,29 @@ void OwnStation::forget() {
   station_.reset();
 }
 
-std::unique_ptr<simulator::SteeredDevice> OwnStation::lend(const std::string& id,
-                                                           const HandStart& start,
-                                                           const Progress& progress) {
+LentHands OwnStation::lend(const std::string& id, const std::string& second, const HandStart& start,
+                           const Progress& progress) {
+  LentHands hands{lend_saw(id, start, progress)};
+  if (!second.empty() && second != id) hands.second = lend_second(second, progress);
+  return hands;
+}
+
+std::unique_ptr<simulator::SteeredDevice> OwnStation::lend_saw(const std::string& id,
+                                                               const HandStart& start,
+                                                               const Progress& progress) {
   if (id == mouse_id) return std::make_unique<simulator::MouseDevice>(start.world_from_tool);
   const std::shared_ptr<simulator::Station> station = get();
-  const std::vector<simulator::FoundDevice> devices = station->look();
-  const simulator::FoundDevice* found = device_with(devices, id);
-  if (found == nullptr) {
-    throw DeviceRefused(id +
-                        ": is not plugged in; plug it in, or choose another device under "
-                        "Devices");
-  }
-  if (!found->is_usable()) throw DeviceRefused(found->trouble, *found);
-  bring_home(*station, *found, progress);
-  return lend_hand(station, *found, start);
+  const simulator::FoundDevice found = usable(*station, id);
+  bring_home(*station, found, progress);
+  return lend_hand(station, found, start);
+}
+
+std::unique_ptr<simulator::SecondHand> OwnStation::lend_second(const std::string& id,
+                                                               const Progress& progress) {
+  const std::shared_ptr<simulator::Station> station = get();
+  const simulator::FoundDevice found = usable(*station, id);
+  bring_home(*station, found, progress);
+  return std::make_unique<simulator::SecondHand>(station, found, station->port_of(id));
 }
 
 }  // namespace hallux::ui

@@ -29,12 +29,18 @@ class OwnStation {
   /// was.
   void forget();
 
-  /// The mouse, or the device with that id once it was brought home.
+  /// The mouse, or the device with that id once it was brought home; and that for the other hand.
+  /// second  its id; empty: none
   /// errors  as get(); DeviceRefused; Cancelled
-  std::unique_ptr<simulator::SteeredDevice> lend(const std::string& id, const HandStart& start,
-                                                 const Progress& progress);
+  LentHands lend(const std::string& id, const std::string& second, const HandStart& start,
+                 const Progress& progress);
 
  private:
+  std::unique_ptr<simulator::SteeredDevice> lend_saw(const std::string& id, const HandStart& start,
+                                                     const Progress& progress);
+  std::unique_ptr<simulator::SecondHand> lend_second(const std::string& id,
+                                                     const Progress& progress);
+
   std::filesystem::path data_directory_;
   std::mutex mutex_;
   /// Under the mutex; null before it is asked for.

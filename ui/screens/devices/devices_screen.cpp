@@ -173,8 +173,15 @@ void DevicesScreen::draw_choice(Ui& ui, Rect& rest, const Device& device,
   const bool operates = preferences.device == device.id;
   ButtonSpec choose{ui.text("devices.choose"), ButtonLook::Primary, Icon::Check};
   if (operates) choose.why_off = ui.text("devices.chosen");
-  if (button_in_line(ui, "devices.choose", take_top(rest, button_height, 16.0F), choose))
+  if (button_in_line(ui, "devices.choose", take_top(rest, button_height, 16.0F), choose)) {
     preferences.device = device.id;
+    if (preferences.second_device == device.id) preferences.second_device.clear();
+  }
+  if (facts_of(device.kind).device_class != "rate" || operates) return;
+  bool is_second = preferences.second_device == device.id;
+  if (toggle(ui, "devices.second", take_top(rest, 24.0F, 12.0F), ui.text("devices.second"),
+             is_second))
+    preferences.second_device = is_second ? device.id : std::string();
 }
 
 // -- what is set for the station
@@ -244,34 +251,38 @@ void DevicesScreen::draw_feel(Ui& ui, Rect rest, const Device& device, Shell& sh
       open(ui, shell, device);
     return;
   }
-  const simulator::KindFacts& kind = facts_of(device.kind);
   Rect buttons = take_bottom(rest, button_height, 12.0F);
-  const FeltState& felt = felt_->state();
-  const simulator::TroubleReport trouble = felt_->trouble();
-  if (trouble) {
-    text_line(ui, rest, Type::Body, ui.theme().text, sentence_of(trouble, kind) + ".");
-    text_line(ui, rest, Type::Small, ui.theme().text_secondary, mend_of(trouble, kind, device.id));
-  } else if (felt.phase != simulator::PortPhase::Running) {
-    text_line(ui, rest, Type::Body, ui.theme().text,
-              felt.phase == simulator::PortPhase::Homing ? home_sentence(kind)
-                                                         : std::string(ui.text("devices.loading")));
-    bar(ui, take_top(rest, 8.0F), static_cast<float>(felt.fraction));
-  } else {
-    draw_felt_view(ui, take_top(rest, std::min(felt_view_height, rest.h), 12.0F), felt,
-                   felt_->figures());
-    bool is_wall = felt_->is_wall_wanted();
-    const std::string_view why_off =
-        felt.has_motors ? std::string_view() : ui.text("devices.wall.none");
-    if (toggle(ui, "devices.wall", take_top(rest, 24.0F, 8.0F), ui.text("devices.wall"), is_wall,
-               true, why_off))
-      felt_->set_wall(is_wall);
-  }
+  draw_felt(ui, rest, facts_of(device.kind));
   const ButtonSpec again{ui.text("devices.reach.again"), ButtonLook::Ghost},
       stop{ui.text("devices.let_go"), ButtonLook::Secondary, Icon::Stop};
   const Rect left = take_left(buttons, button_width(ui, stop), 8.0F);
   if (button(ui, "devices.reach_again", take_left(buttons, button_width(ui, again)), again))
     felt_->forget_reach();
   if (button(ui, "devices.let_go", left, stop)) felt_.reset();
+}
+
+/// Why it is away, how far it is until it is at home, or what it says.
+void DevicesScreen::draw_felt(Ui& ui, Rect rest, const simulator::KindFacts& kind) {
+  const FeltState& felt = felt_->state();
+  if (const simulator::TroubleReport trouble = felt_->trouble()) {
+    text_line(ui, rest, Type::Body, ui.theme().text, sentence_of(trouble, kind) + ".");
+    return text_line(ui, rest, Type::Small, ui.theme().text_secondary,
+                     mend_of(trouble, kind, felt_->device().id));
+  }
+  if (felt.phase != simulator::PortPhase::Running) {
+    const bool is_homing = felt.phase == simulator::PortPhase::Homing;
+    text_line(ui, rest, Type::Body, ui.theme().text,
+              is_homing ? home_sentence(kind) : std::string(ui.text("devices.loading")));
+    return bar(ui, take_top(rest, 8.0F), static_cast<float>(felt.fraction));
+  }
+  draw_felt_view(ui, take_top(rest, std::min(felt_view_height, rest.h), 12.0F), felt,
+                 felt_->figures());
+  bool is_wall = felt_->is_wall_wanted();
+  const std::string_view why_off =
+      felt.has_motors ? std::string_view() : ui.text("devices.wall.none");
+  if (toggle(ui, "devices.wall", take_top(rest, 24.0F, 8.0F), ui.text("devices.wall"), is_wall,
+             true, why_off))
+    felt_->set_wall(is_wall);
 }
 
 }  // namespace hallux::ui

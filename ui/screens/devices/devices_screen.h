@@ -40,6 +40,7 @@ class DevicesScreen : public Screen {
   void set(Ui& ui, Shell& shell, const Device& device, std::string_view key,
            const std::string& value);
   void draw_feel(Ui& ui, Rect rest, const Device& device, Shell& shell);
+  void draw_felt(Ui& ui, Rect rest, const simulator::KindFacts& kind);
   void open(Ui& ui, Shell& shell, const Device& device);
 
   std::shared_ptr<SignedInSession> signed_in_;

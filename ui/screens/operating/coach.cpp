@@ -22,6 +22,7 @@ using scenarios::HeldCut;
 using scenarios::PlannedCut;
 using scenarios::PlannedPasses;
 using scenarios::StepKind;
+using Led = simulator::SteeredDevice::Led;
 
 /// Within these nothing more is asked.
 constexpr double tilt_good_rad = 0.0079, offset_good_mm = 0.25, along_good_mm = 0.5;
@@ -372,25 +373,33 @@ std::optional<Hint> removal_hint(const CoachView& view) {
   return Hint{.text_id = "operate.hint.wait"};
 }
 
-/// A move in words: by keys, and by the mouse.
+/// A move in words: by keys, by the mouse, and by the hand that holds a device.
 struct MoveTexts {
   HandMove move;
   std::string_view keys_id, mouse_id;
+  std::string_view hand_id = {};
+  /// A device that turns nothing itself is turned by the window.
+  bool is_turn = false;
 };
 
 constexpr std::array<MoveTexts, 18> move_texts{{
-    {HandMove::Left, "move.left.keys", "move.left.mouse"},
-    {HandMove::Right, "move.right.keys", "move.right.mouse"},
-    {HandMove::Up, "move.up.keys", "move.up.mouse"},
-    {HandMove::Down, "move.down.keys", "move.down.mouse"},
-    {HandMove::Push, "move.push.keys", "move.push.mouse"},
-    {HandMove::DrawBack, "move.draw_back.keys", "move.draw_back.mouse"},
-    {HandMove::TurnLeft, "move.turn_left.keys", "move.turn_left.mouse"},
-    {HandMove::TurnRight, "move.turn_right.keys", "move.turn_right.mouse"},
-    {HandMove::TurnUp, "move.turn_up.keys", "move.turn_up.mouse"},
-    {HandMove::TurnDown, "move.turn_down.keys", "move.turn_down.mouse"},
-    {HandMove::RollLeft, "move.roll_left.keys", "move.roll_left.mouse"},
-    {HandMove::RollRight, "move.roll_right.keys", "move.roll_right.mouse"},
+    {HandMove::Left, "move.left.keys", "move.left.mouse", "move.left.hand"},
+    {HandMove::Right, "move.right.keys", "move.right.mouse", "move.right.hand"},
+    {HandMove::Up, "move.up.keys", "move.up.mouse", "move.up.hand"},
+    {HandMove::Down, "move.down.keys", "move.down.mouse", "move.down.hand"},
+    {HandMove::Push, "move.push.keys", "move.push.mouse", "move.push.hand"},
+    {HandMove::DrawBack, "move.draw_back.keys", "move.draw_back.mouse", "move.draw_back.hand"},
+    {HandMove::TurnLeft, "move.turn_left.keys", "move.turn_left.mouse", "move.turn_left.hand",
+     true},
+    {HandMove::TurnRight, "move.turn_right.keys", "move.turn_right.mouse", "move.turn_right.hand",
+     true},
+    {HandMove::TurnUp, "move.turn_up.keys", "move.turn_up.mouse", "move.turn_up.hand", true},
+    {HandMove::TurnDown, "move.turn_down.keys", "move.turn_down.mouse", "move.turn_down.hand",
+     true},
+    {HandMove::RollLeft, "move.roll_left.keys", "move.roll_left.mouse", "move.roll_left.hand",
+     true},
+    {HandMove::RollRight, "move.roll_right.keys", "move.roll_right.mouse", "move.roll_right.hand",
+     true},
     {HandMove::SwitchSaw, "move.saw.keys", "move.saw.mouse"},
     {HandMove::LookAround, "move.look.keys", "move.look.mouse"},
     {HandMove::ResetView, "move.reset_view.keys", "move.reset_view.mouse"},
@@ -398,6 +407,12 @@ constexpr std::array<MoveTexts, 18> move_texts{{
     {HandMove::TakeUpStep, "move.take_up.keys", "move.take_up.mouse"},
     {HandMove::Wait, "move.wait", "move.wait"},
 }};
+
+/// The hand on the device makes it, not keys and mouse.
+bool is_by_hand(const MoveTexts& move, Led led) noexcept {
+  if (led == Led::Pose || move.hand_id.empty()) return false;
+  return led == Led::Nothing || !move.is_turn;
+}
 
 std::string keys_text(const Texts& texts, const Hint& hint, const MoveTexts& move) {
   std::string keys;
@@ -444,11 +459,15 @@ std::optional<Hint> next_hint(const CoachView& view) {
   return cut == nullptr ? std::nullopt : std::optional(cut_hint(view, *cut));
 }
 
-std::string hint_text(const Texts& texts, const Hint& hint) {
+std::string hint_text(const Texts& texts, const Hint& hint, Led led) {
   std::string what = texts.say(hint.text_id, hint.values);
   const auto* move = std::find_if(move_texts.begin(), move_texts.end(),
                                   [&](const MoveTexts& each) { return each.move == hint.move; });
   if (move == move_texts.end() || hint.move == HandMove::Wait) return what;
+  if (is_by_hand(*move, led)) {
+    return what + " " +
+           texts.say("operate.hint.by_hand", {{"hand", std::string(texts.text(move->hand_id))}});
+  }
   return what + " " +
          texts.say("operate.hint.by", {{"keys", keys_text(texts, hint, *move)},
                                        {"mouse", texts.say(move->mouse_id, hint.values)}});

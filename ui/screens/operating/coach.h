@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "scenarios/site/planned_passes.h"
+#include "simulator/device/steered_device.h"
 #include "ui/screens/operating/hud/cut_bands.h"
 #include "ui/screens/operating/hud/plan_reading.h"
 #include "ui/screens/operating/hud/push_range.h"
@@ -91,7 +92,10 @@ std::optional<Hint> next_hint(const CoachView& view);
 /// text_id  with {way} in it
 Hint draw_back_hint(std::string_view text_id, double way_mm);
 
-/// "Tilt along is +4.9: ... Keys: Ctrl+Down. Mouse: left drag down."
-std::string hint_text(const Texts& texts, const Hint& hint);
+/// "Tilt along is +4.9: ... Keys: Ctrl+Down. Mouse: left drag down."; of what the hand does that
+/// holds a device, with the hand.
+/// led  what the window leads of the saw
+std::string hint_text(const Texts& texts, const Hint& hint,
+                      simulator::SteeredDevice::Led led = simulator::SteeredDevice::Led::Pose);
 
 }  // namespace hallux::ui

@@ -130,7 +130,7 @@ void add_hint(OperatingHud& hud, const HudSources& from, bool is_hinted) {
   const std::optional<Hint> hint = next_hint(coach_view(from));
   if (!hint) return;
   hud.push = hint->push.value_or(usual_push);
-  if (is_hinted) hud.hint = hint_text(from.texts, *hint);
+  if (is_hinted) hud.hint = hint_text(from.texts, *hint, from.session.saw().led());
 }
 
 }  // namespace

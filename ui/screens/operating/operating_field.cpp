@@ -3,6 +3,7 @@
 // shows a saw that runs after it was stopped.
 #include "ui/screens/operating/operating_field.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -16,6 +17,8 @@ namespace {
 
 constexpr const char* view_area = "operate.view";
 constexpr double soon_s = 0.05;
+/// A frame that took longer turns no further.
+constexpr double longest_frame_s = 0.1;
 /// How soon the screen notices that there is room on the disk again.
 constexpr double look_again_s = 0.2;
 
@@ -34,9 +37,12 @@ void OperatingField::make_ready(PreparedOperation prepared,
 }
 
 void OperatingField::run(const std::string& name, CommandedLoop& loop,
-                         simulator::SteeredDevice& device) {
-  running_.reset(new Running{
-      loop, device, {name, prepared_case(), loop.watch(), std::move(prepared_.picture)}});
+                         simulator::SteeredDevice& device,
+                         std::unique_ptr<simulator::SecondHand> second) {
+  running_.reset(new Running{loop,
+                             device,
+                             std::move(second),
+                             {name, prepared_case(), loop.watch(), std::move(prepared_.picture)}});
   session_.run(loop, device);
 }
 
@@ -113,10 +119,20 @@ void OperatingField::lead(Ui& ui, const AreaResponse& area, const Steered& steer
                                    running_->site == nullptr ? nullptr : &running_->site->cuts,
                                    running_->view.sample.kerf));
   }
-  session_.lead(std::array{steered.by_mouse, steered.by_keys}, viewport_.world_from_view(),
-                ui.time_s());
+  session_.lead(std::array{steered.by_mouse, steered.by_keys, hear_second(ui.time_s())},
+                viewport_.world_from_view(), ui.time_s());
   if (session_.saw().is_led_by_window() && area.is_hovered && !viewport_.lift().stays_lifted())
     ui.hide_pointer();
+}
+
+simulator::PointerMotion OperatingField::hear_second(double now_s) {
+  const double since_s = now_s - std::exchange(running_->asked_s, now_s);
+  if (running_->second == nullptr) return {};
+  const simulator::PointerMotion motion =
+      running_->second->motion(std::clamp(since_s, 0.0, longest_frame_s));
+  if (session_.saw().led() == simulator::SteeredDevice::Led::Rotation) return motion;
+  viewport_.turn(motion);
+  return {};
 }
 
 void OperatingField::hold_pointer(Ui& ui, const Preferences& preferences) const {

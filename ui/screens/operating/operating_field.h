@@ -37,9 +37,11 @@ class OperatingField {
   /// The session is ready, and the camera stands before the site.
   /// steps  of the session
   void make_ready(PreparedOperation prepared, std::vector<scenarios::StepKind> steps);
-  /// The session runs, and the picture follows the loop. Borrows both.
+  /// The session runs, and the picture follows the loop. Borrows loop and device.
   /// name    for the names of the pictures
-  void run(const std::string& name, CommandedLoop& loop, simulator::SteeredDevice& device);
+  /// second  of the other hand; null: none
+  void run(const std::string& name, CommandedLoop& loop, simulator::SteeredDevice& device,
+           std::unique_ptr<simulator::SecondHand> second = nullptr);
   bool is_running() const noexcept { return running_ != nullptr; }
   /// Where the saw is held when it begins.
   HandStart start() const {
@@ -81,9 +83,12 @@ class OperatingField {
   struct Running {
     CommandedLoop& loop;
     simulator::SteeredDevice& device;
+    std::unique_ptr<simulator::SecondHand> second;
     BoneBeingCut bone;
     /// Once the saw is to be heard.
     std::unique_ptr<SawPlayer> player = {};
+    /// When the other hand was asked last.
+    double asked_s = 0.0;
     /// The newest of this frame; the site is null before it is known.
     simulator::LoopView view = {};
     std::shared_ptr<const SiteFacts> site = {};
@@ -109,6 +114,8 @@ class OperatingField {
   void tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const;
   void sound_the_saw(Shell& shell);
   void see_saw();
+  /// Of the other hand since the last frame: what of it is the saw's; the rest turns the view.
+  simulator::PointerMotion hear_second(double now_s);
   /// Something may change that nobody did at this window.
   bool is_waiting() const;
   /// The cut in which the saw is, else the one that the step at hand asks for; null where people

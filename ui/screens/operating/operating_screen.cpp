@@ -35,11 +35,11 @@ std::vector<StepKind> kinds_of(const std::vector<scenarios::OperationStep>& step
 }  // namespace
 
 OperatingScreen::OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
-                                 const OperationChoice& choice, LendDevice lend_device)
+                                 const OperationChoice& choice, LendHands lend_hands)
     : signed_in_(std::move(signed_in)),
       navigator_(navigator),
       choice_(choice),
-      lend_device_(std::move(lend_device)),
+      lend_hands_(std::move(lend_hands)),
       field_(choice.kind, choice.guidance) {}
 
 std::string_view OperatingScreen::why_not_leave() const {
@@ -96,13 +96,15 @@ void OperatingScreen::begin(Ui& ui, Shell& shell) {
   work_.start(
       shell, text_in(ui, "operate.beginning"),
       [signed_in = signed_in_, prepared_case = field_.prepared().prepared_case,
-       what = what_to_begin(), start = field_.start(), lend = lend_device_,
+       what = what_to_begin(), start = field_.start(), lend = lend_hands_,
        begun](WorkReport& report) {
         try {
-          std::unique_ptr<simulator::SteeredDevice> device =
-              lend(start, [&](double) { return report.reached(0.0); });
-          begun->device = device.get();
-          begun->live = begin_operation(*signed_in, prepared_case, what, std::move(device));
+          LentHands hands = lend(start, [&](double) { return report.reached(0.0); });
+          begun->device = hands.saw.get();
+          begun->second = std::move(hands.second);
+          LiveBegin begin = what;
+          if (begun->second) begin.second_device = begun->second->kind();
+          begun->live = begin_operation(*signed_in, prepared_case, begin, std::move(hands.saw));
         } catch (const DeviceRefused& refused) {
           begun->refused = refused.what();
         }
@@ -116,7 +118,7 @@ void OperatingScreen::begin(Ui& ui, Shell& shell) {
           return session().take_back();
         }
         live_ = std::move(begun->live);
-        field_.run(live_->attempt().text, *live_, *begun->device);
+        field_.run(live_->attempt().text, *live_, *begun->device, std::move(begun->second));
       });
 }
 

@@ -22,7 +22,7 @@ struct OperationChoice {
 class OperatingScreen : public Screen {
  public:
   OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Navigator& navigator,
-                  const OperationChoice& choice, LendDevice lend_device);
+                  const OperationChoice& choice, LendHands lend_hands);
 
   WindowChrome surround() const override { return WindowChrome::Badge; }
   std::string_view why_not_leave() const override;
@@ -40,6 +40,7 @@ class OperatingScreen : public Screen {
     std::unique_ptr<LiveAttempt> live;
     /// Of live.
     simulator::SteeredDevice* device = nullptr;
+    std::unique_ptr<simulator::SecondHand> second = nullptr;
     /// Why the device cannot be had; empty where it is.
     std::string refused = {};
   };
@@ -69,7 +70,7 @@ class OperatingScreen : public Screen {
   std::shared_ptr<SignedInSession> signed_in_;
   Navigator& navigator_;
   OperationChoice choice_;
-  LendDevice lend_device_;
+  LendHands lend_hands_;
   /// Of the last frame.
   const Texts* texts_ = nullptr;
   Loaded<PreparedOperation> prepared_;

@@ -24,6 +24,9 @@ using simulator::ToolStatus;
 /// The blade's line on the bone: a little wider than the teeth, and faintly on.
 constexpr double beside_teeth_mm = 1.0, faint_line_mm = 8.0;
 
+/// Of a 3D mouse: shares of the window's width, and how much nearer.
+constexpr double share_per_mm = 0.004, zoom_per_mm = 0.008;
+
 /// A handpiece that is less there lets a panel be read over it.
 constexpr double hiding_presence = 0.5;
 
@@ -177,6 +180,12 @@ Steered OperatingViewport::hear(Ui& ui, const AreaResponse& area, const Prepared
 void OperatingViewport::release_pointer() noexcept {
   steering_.release_pointer();
   steering_.set_down();
+}
+
+void OperatingViewport::turn(const simulator::PointerMotion& motion) noexcept {
+  Camera camera = orbited(sight_.camera, motion.turned_rad.x, -motion.turned_rad.y);
+  camera = panned(camera, sight_.viewer, share_per_mm * motion.across_mm);
+  sight_.camera = zoomed(camera, std::exp(-zoom_per_mm * motion.deeper_mm));
 }
 
 void OperatingViewport::hear_eyes(Ui& ui) {

@@ -56,6 +56,8 @@ class OperatingViewport {
                const Vec3& tip_in_world_mm);
   /// Nobody leads the saw in this frame: the hand is set down where it goes on.
   void release_pointer() noexcept;
+  /// The camera goes as a 3D mouse is pushed and turned: what is looked at turns with its cap.
+  void turn(const simulator::PointerMotion& motion) noexcept;
   bool is_led_by_pointer() const noexcept { return steering_.is_led_by_pointer(); }
   const HandLift& lift() const noexcept { return steering_.lift(); }
   const Quat& world_from_view() const noexcept { return sight_.camera.world_from_view; }

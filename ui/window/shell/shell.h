@@ -44,6 +44,8 @@ struct Preferences {
   bool is_left_handed = false;
   /// The id of what operates: "mouse", or a device of this station.
   std::string device = "mouse";
+  /// Of the other hand, which turns what the first holds, or the view; empty: none.
+  std::string second_device = {};
   /// Numbers of the people who were offered the first flight and answered, ascending.
   std::vector<std::int64_t> offered_flight = {};
 

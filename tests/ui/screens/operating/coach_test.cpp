@@ -97,6 +97,23 @@ TEST(CoachOfAWedge, NamesTheCutThatHoldsAndHasItTakenUp) {
   EXPECT_EQ(deeds_of(operation), (std::vector{1.0, 1.0}));
 }
 
+TEST(HintWords, SayWhatTheHandDoesThatHoldsADevice) {
+  using Led = simulator::SteeredDevice::Led;
+  const Hint push{.text_id = "operate.hint.wait", .move = HandMove::Push};
+  const Hint turn{.text_id = "operate.hint.wait", .move = HandMove::TurnUp};
+  const auto words = [](const Hint& hint, Led led) {
+    return hint_text(english_texts(), hint, led);
+  };
+  EXPECT_THAT(words(push, Led::Pose), testing::HasSubstr("Page up"));
+  EXPECT_THAT(words(push, Led::Rotation), testing::HasSubstr("Your hand: push"));
+  EXPECT_THAT(words(push, Led::Rotation), testing::Not(testing::HasSubstr("Page up")));
+  EXPECT_THAT(words(turn, Led::Rotation), testing::HasSubstr("Ctrl+Up"))
+      << "an arm of three joints turns nothing";
+  EXPECT_THAT(words(turn, Led::Nothing), testing::HasSubstr("Your hand: tip"));
+  EXPECT_THAT(words({.text_id = "operate.hint.wait", .move = HandMove::SwitchSaw}, Led::Nothing),
+              testing::HasSubstr("Space"));
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenarios, Coach,
                          testing::Combine(testing::Values(std::string("silver"),
                                                           std::string("akin")),

@@ -5,7 +5,7 @@
 namespace hallux::ui {
 
 DrawnOperation::DrawnOperation(const std::string& scenario, double edge_mm, PixelSize size,
-                               const std::string& vfs_name, LendDevice lend)
+                               const std::string& vfs_name, LendHands lend)
     : target_(size),
       course_(scenario, edge_mm, vfs_name),
       person_((scenes_.begin_frame(target_.target()), course_), database::AttemptKind::Practice,

@@ -18,7 +18,7 @@ class DrawnOperation {
   /// Before Begin was pressed; see OperableCourse.
   explicit DrawnOperation(const std::string& scenario, double edge_mm = 1.5,
                           PixelSize size = {1280, 720}, const std::string& vfs_name = {},
-                          LendDevice lend = some_mouse);
+                          LendHands lend = some_mouse);
 
   Operator& person() noexcept { return person_; }
   OperableCourse& course() noexcept { return course_; }

@@ -104,12 +104,12 @@ bool soon(const std::function<bool()>& holds) {
 
 Progress no_progress(const std::string&) { return {}; }
 
-std::unique_ptr<simulator::SteeredDevice> some_mouse(const HandStart& start, const Progress&) {
-  return std::make_unique<simulator::MouseDevice>(start.world_from_tool);
+LentHands some_mouse(const HandStart& start, const Progress&) {
+  return {std::make_unique<simulator::MouseDevice>(start.world_from_tool)};
 }
 
 Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size,
-                   ScenePainter* painter, LendDevice lend) {
+                   ScenePainter* painter, LendHands lend) {
   open(std::make_unique<OperatingScreen>(course.visit_of_ada(), navigator,
                                          OperationChoice{course.version(), kind}, std::move(lend)),
        scale, size, painter);

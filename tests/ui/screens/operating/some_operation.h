@@ -62,8 +62,7 @@ bool soon(const std::function<bool()>& holds);
 Progress no_progress(const std::string& stage);
 
 /// Where operations get their device from.
-std::unique_ptr<simulator::SteeredDevice> some_mouse(const HandStart& start,
-                                                     const Progress& progress);
+LentHands some_mouse(const HandStart& start, const Progress& progress);
 
 /// Ada before the operating screen, over a screen to come back to. Another painter may stand in for
 /// the one that notes; it must have begun a frame whenever one is made.
@@ -71,7 +70,7 @@ class Operator {
  public:
   Operator(OperableCourse& course, database::AttemptKind kind, float scale = 1.0F,
            Point size = {1440.0F, 900.0F}, ScenePainter* painter = nullptr,
-           LendDevice lend = some_mouse);
+           LendHands lend = some_mouse);
   /// Before any screen, made with nothing to wait for.
   explicit Operator(std::unique_ptr<Screen> screen, float scale = 1.0F,
                     Point size = {1440.0F, 900.0F});

@@ -9,6 +9,7 @@
 #include "ui/screens/operating/flight/flight_cards.h"
 #include "ui/screens/operating/flight/flight_work.h"
 #include "ui/screens/operating/operating_cards.h"
+#include "ui/screens/parts/value_text.h"
 #include "ui/widgets/controls/card.h"
 
 namespace hallux::ui {
@@ -24,8 +25,8 @@ constexpr std::array<std::string_view, lesson_count> tasks{
 
 }  // namespace
 
-FlightScreen::FlightScreen(std::shared_ptr<SignedInSession> signed_in, LendDevice lend_device)
-    : signed_in_(std::move(signed_in)), lend_device_(std::move(lend_device)) {}
+FlightScreen::FlightScreen(std::shared_ptr<SignedInSession> signed_in, LendHands lend_hands)
+    : signed_in_(std::move(signed_in)), lend_hands_(std::move(lend_hands)) {}
 
 void FlightScreen::leave(Shell&) {
   if (block_) block_->field.session().pause(PausedBy::Locked);
@@ -64,6 +65,7 @@ void FlightScreen::lay_block(Ui& ui, Shell& shell) {
     std::unique_ptr<UnrecordedAttempt> loop;
     /// Of loop.
     simulator::SteeredDevice* device = nullptr;
+    std::unique_ptr<simulator::SecondHand> second = nullptr;
   };
   block_ = std::make_unique<Block>();
   OperatingField& field = block_->field;
@@ -73,19 +75,19 @@ void FlightScreen::lay_block(Ui& ui, Shell& shell) {
   auto laid = std::make_shared<Laid>();
   work_.start(
       shell, std::string(ui.text("flight.preparing")),
-      [prepared_case = field.prepared().prepared_case, lend = lend_device_, start = field.start(),
+      [prepared_case = field.prepared().prepared_case, lend = lend_hands_, start = field.start(),
        laid](WorkReport& report) {
-        std::unique_ptr<simulator::SteeredDevice> device =
-            lend(start, [&](double) { return report.reached(0.0); });
-        laid->device = device.get();
-        laid->loop = std::make_unique<UnrecordedAttempt>(prepared_case, std::move(device));
+        LentHands hands = lend(start, [&](double) { return report.reached(0.0); });
+        laid->device = hands.saw.get();
+        laid->second = std::move(hands.second);
+        laid->loop = std::make_unique<UnrecordedAttempt>(prepared_case, std::move(hands.saw));
       },
       [this, &shell, laid, name = "first flight " + std::to_string(ui.time_s())](
           WorkEnd end, const std::string& reason) {
         if (end == WorkEnd::Cancelled) return shell.pop();
         if (end == WorkEnd::Failed) return block_->field.session().fail_to_begin(reason);
         block_->loop = std::move(laid->loop);
-        block_->field.run(name, *block_->loop, *laid->device);
+        block_->field.run(name, *block_->loop, *laid->device, std::move(laid->second));
       });
   ui.want_frame_in_s(0.0);
 }
@@ -176,7 +178,9 @@ OperatingHud FlightScreen::hud(const Ui& ui, Shell& shell) {
   hud.lesson = {std::string(ui.text(tasks[lessons_.number()])),
                 goal_text(ui.texts(), lesson, seen)};
   const std::optional<Hint> hint = lesson_hint(lesson, seen);
-  hud.hint = hint && block_->field.is_hinted() ? hint_text(ui.texts(), *hint) : std::string();
+  hud.hint = hint && block_->field.is_hinted()
+                 ? hint_text(ui.texts(), *hint, block_->field.session().saw().led())
+                 : std::string();
   return hud;
 }
 
@@ -216,9 +220,11 @@ void FlightScreen::draw_stopped(Ui& ui, Shell& shell) {
   ui.canvas().fill(ui.display(), ui.theme().page);
   const Rect inside =
       card(ui, centred(ui.display(), std::min(560.0F, ui.display().w - 32.0F), 300.0F), {});
+  const std::string& reason = block_->field.session().stop().reason;
+  const std::string why =
+      reason.empty() ? std::string(ui.text("flight.stopped.sentence")) : sentence_of(reason);
   if (failed_card(ui, "flight.stopped", inside,
-                  {ui.text("flight.stopped"), ui.text("flight.stopped.sentence"),
-                   ui.text("flight.operations")}))
+                  {ui.text("flight.stopped"), why, ui.text("flight.operations")}))
     shell.pop();
 }
 

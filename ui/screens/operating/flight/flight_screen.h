@@ -18,7 +18,7 @@ namespace hallux::ui {
 
 class FlightScreen : public Screen {
  public:
-  FlightScreen(std::shared_ptr<SignedInSession> signed_in, LendDevice lend_device);
+  FlightScreen(std::shared_ptr<SignedInSession> signed_in, LendHands lend_hands);
 
   WindowChrome surround() const override { return WindowChrome::Badge; }
   /// Covered by another screen, or by the lock: nobody holds the saw.
@@ -52,7 +52,7 @@ class FlightScreen : public Screen {
   std::vector<Mark> goals(const Texts& texts) const;
 
   std::shared_ptr<SignedInSession> signed_in_;
-  LendDevice lend_device_;
+  LendHands lend_hands_;
   Loaded<PreparedOperation> prepared_;
   ScreenWork work_;
   std::unique_ptr<Block> block_;

@@ -38,7 +38,11 @@ class LedSaw {
   const RigidTransform& world_from_target() const noexcept { return world_from_target_; }
   bool is_on() const noexcept { return has(switches(), simulator::Switch::SawRuns); }
   bool is_irrigated() const noexcept { return has(switches(), simulator::Switch::Irrigates); }
-  /// By the pointer and keys of the window alone.
+  /// What of it the window leads.
+  simulator::SteeredDevice::Led led() const noexcept {
+    return device_ == nullptr ? simulator::SteeredDevice::Led::Pose : device_->led();
+  }
+  /// All of it.
   bool is_led_by_window() const noexcept { return led() == simulator::SteeredDevice::Led::Pose; }
   /// The hand moves without the saw.
   bool is_lifted() const noexcept { return placing_.is_lifted(); }
@@ -81,9 +85,6 @@ class LedSaw {
     std::uint32_t switches = 0;
   };
 
-  simulator::SteeredDevice::Led led() const noexcept {
-    return device_ == nullptr ? simulator::SteeredDevice::Led::Pose : device_->led();
-  }
   /// Of a device with buttons of its own what they made of it.
   std::uint32_t switches() const noexcept { return is_led_by_window() ? ordered_ : seen_.switches; }
   void order(simulator::Switch which, bool is_on) noexcept;
