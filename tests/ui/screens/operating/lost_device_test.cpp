@@ -12,7 +12,6 @@ namespace {
 
 using database::AttemptKind;
 using database::AttemptState;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// An arm of three joints whose plug is the test's.
