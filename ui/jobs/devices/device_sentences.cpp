@@ -121,6 +121,12 @@ std::string mend_of(const simulator::TroubleReport& trouble, const simulator::Ki
   return {};
 }
 
+std::string trouble_words(const simulator::TroubleReport& trouble, const simulator::KindFacts& kind,
+                          const std::string& id) {
+  const std::string mend = mend_of(trouble, kind, id);
+  return sentence_of(trouble, kind) + (mend.empty() ? "" : "; " + mend);
+}
+
 std::string home_sentence(const simulator::KindFacts& kind) {
   const auto words = [&](std::string_view what) {
     return std::string(kind.name) + ": " + std::string(what) + ".";

@@ -16,6 +16,9 @@ std::string sentence_of(const simulator::TroubleReport& trouble, const simulator
 std::string mend_of(const simulator::TroubleReport& trouble, const simulator::KindFacts& kind,
                     const std::string& id);
 
+/// Both, as one sentence without its full stop.
+std::string trouble_words(const simulator::TroubleReport& trouble, const simulator::KindFacts& kind,
+                          const std::string& id);
 /// How its grip is brought home when it is opened; empty where there is nothing to do.
 std::string home_sentence(const simulator::KindFacts& kind);
 

@@ -10,16 +10,10 @@ namespace {
 using simulator::DeviceTrouble;
 using simulator::TroubleReport;
 
-std::string words_of(const TroubleReport& trouble, const simulator::FoundDevice& device) {
-  const simulator::KindFacts& kind = facts_of(device.kind);
-  const std::string mend = mend_of(trouble, kind, device.id);
-  return sentence_of(trouble, kind) + (mend.empty() ? "" : "; " + mend);
-}
-
 }  // namespace
 
 DeviceRefused::DeviceRefused(const TroubleReport& trouble, const simulator::FoundDevice& device)
-    : std::runtime_error(words_of(trouble, device)) {}
+    : std::runtime_error(trouble_words(trouble, facts_of(device.kind), device.id)) {}
 
 void bring_home(simulator::Station& station, const simulator::FoundDevice& device,
                 const Progress& progress) {

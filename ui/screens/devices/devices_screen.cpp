@@ -239,7 +239,8 @@ void DevicesScreen::open(Ui& ui, Shell& shell, const Device& device) {
         *opened = std::make_unique<FeltDevice>(station, device, share);
       },
       [this, opened](WorkEnd end, const std::string&) {
-        if (end == WorkEnd::Done) felt_ = std::move(*opened);
+        // Somebody may look at another meanwhile.
+        if (end == WorkEnd::Done && (*opened)->device().id == chosen_) felt_ = std::move(*opened);
       });
 }
 

@@ -176,12 +176,10 @@ bool OperatingField::is_waiting() const {
 
 std::string OperatingField::device_trouble() const {
   const simulator::TroubleReport trouble = running_->device.trouble();
+  if (!trouble) return {};
   const std::optional<simulator::DeviceFacts> facts = running_->device.facts();
-  if (!trouble || !facts) return {};
-  const simulator::KindFacts* const kind = simulator::kind_named(facts->kind);
-  if (kind == nullptr) return {};
-  const std::string mend = mend_of(trouble, *kind, facts->kind);
-  return sentence_of(trouble, *kind) + (mend.empty() ? "." : "; " + mend + ".");
+  const simulator::KindFacts* const kind = facts ? simulator::kind_named(facts->kind) : nullptr;
+  return kind == nullptr ? std::string() : trouble_words(trouble, *kind, facts->kind) + ".";
 }
 
 void OperatingField::tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const {
