@@ -101,7 +101,7 @@ std::string ready_text(const Ui& ui, bool is_practice, bool is_beginning,
       ui.text(is_practice ? "operate.ready.shown.practice" : "operate.ready.shown.assessment"));
   const simulator::KindFacts* const kind = device == mouse_id ? nullptr : kind_of_device(device);
   if (kind == nullptr) return std::string(ui.text("operate.ready.mouse")) + " " + shown;
-  const std::string home = home_sentence(*kind);
+  std::string home = home_sentence(*kind);
   if (is_beginning && !home.empty()) return home;
   return ui.texts().say("operate.ready.device", {{"device", std::string(kind->name)}}) + " " +
          shown;
