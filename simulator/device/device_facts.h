@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace hallux::simulator {
@@ -15,6 +16,10 @@ struct PortFigures {
   std::uint64_t pushes_unanswered = 0;
   double greatest_force_newton = 0.0;
   double round_trip_p50_us = 0.0, round_trip_p99_us = 0.0, round_trip_max_us = 0.0;
+  /// Since the device knows where its legs or joints are.
+  double calibration_age_s = 0.0;
+  /// Newtons that the device says it gives for one that it was told; nothing: it says none.
+  std::optional<double> own_force_scale = std::nullopt;
 
   friend bool operator==(const PortFigures&, const PortFigures&) = default;
 };

@@ -32,6 +32,8 @@ struct DeviceDescription {
   DevicePulse pulse = {};
   /// World millimetres for one of the hand; above 0. What is rendered is felt by that much stiffer.
   double motion_scale = 1.0;
+  /// Its grip says how it is turned; else a window or another hand turns the saw.
+  bool measures_rotation = false;
 };
 
 /// What the device said; not yet rounded, not yet trusted.

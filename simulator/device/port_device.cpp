@@ -41,7 +41,7 @@ ArmDevice::ArmDevice(Port& port, const PortDeviceSetup& setup)
     : port_(&port),
       setup_(setup),
       described_(described(port, setup)),
-      turns_(described_.device_class == "arm6"),
+      turns_(described_.measures_rotation),
       aim_(resting_in(setup)),
       placing_(setup.frame),
       switches_(setup.buttons),

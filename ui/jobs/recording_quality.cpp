@@ -50,6 +50,9 @@ nlohmann::ordered_json json_of(const simulator::DeviceFacts& device) {
           {"class", device.device_class},
           {"library", device.library},
           {"motion_scale", device.motion_scale},
+          {"own_force_scale",
+           figures.own_force_scale ? nlohmann::ordered_json(*figures.own_force_scale) : nullptr},
+          {"calibration_age_s", figures.calibration_age_s},
           {"packets", figures.packets},
           {"late_packets", figures.late_packets},
           {"bad_packets", figures.bad_packets},
@@ -69,6 +72,11 @@ simulator::DeviceFacts device_from(const nlohmann::json& json) {
   json.at("library").get_to(device.library);
   json.at("motion_scale").get_to(device.motion_scale);
   simulator::PortFigures& figures = device.figures;
+  // Certificates of before they were told have neither.
+  if (const auto age = json.find("calibration_age_s"); age != json.end())
+    age->get_to(figures.calibration_age_s);
+  if (const auto scale = json.find("own_force_scale"); scale != json.end() && !scale->is_null())
+    figures.own_force_scale = scale->get<double>();
   json.at("packets").get_to(figures.packets);
   json.at("late_packets").get_to(figures.late_packets);
   json.at("bad_packets").get_to(figures.bad_packets);

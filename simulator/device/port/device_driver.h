@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 #include "simulator/device/haptic_device.h"
 #include "simulator/device/port/device_trouble.h"
@@ -31,6 +32,8 @@ struct DriverState {
   std::uint32_t buttons = 0;
   /// It knows where its legs are; a device that always knows is so.
   bool is_homed = true;
+  /// Newtons that it says it gives for one that it was told; nothing: it says none.
+  std::optional<double> own_force_scale = std::nullopt;
 };
 
 enum class DriverAnswer : std::uint8_t {

@@ -71,7 +71,7 @@ void DevicePort::talk(const std::stop_token& stop) {
   while (!stop.stop_requested() && !cycle.is_over()) {
     cycle.run(said_.read(), Clock::now);
     publish(cycle.state());
-    note(cycle.statistics());
+    note(cycle.statistics(), cycle.state().said);
   }
   if (cycle.is_over()) end({cycle.state().trouble, {}, {}});
 }
@@ -82,7 +82,7 @@ void DevicePort::publish(const PortState& state) noexcept {
   phase_.store(state.phase, std::memory_order_release);
 }
 
-void DevicePort::note(const PortStatistics& statistics) {
+void DevicePort::note(const PortStatistics& statistics, const DriverState& said) {
   const std::lock_guard lock(mutex_);
   figures_.exchanges = statistics.exchanges;
   figures_.packets = statistics.packets;
@@ -91,6 +91,8 @@ void DevicePort::note(const PortStatistics& statistics) {
   figures_.zeros = statistics.zeros;
   figures_.pushes_unanswered = statistics.pushes_unanswered;
   figures_.greatest_force_newton = statistics.greatest_force_newton;
+  figures_.calibration_age_s = std::chrono::duration<double>(statistics.calibrated_for).count();
+  figures_.own_force_scale = said.own_force_scale;
   figures_.round_trip_max_us = statistics.round_trips.greatest_us();
   if (statistics.exchanges % exchanges_per_look != 0) return;
   figures_.round_trip_p50_us = statistics.round_trips.at_us(0.5);

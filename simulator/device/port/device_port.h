@@ -43,7 +43,7 @@ class DevicePort final : public Port {
   TroubleReport open(const std::stop_token& stop);
   void talk(const std::stop_token& stop);
   void publish(const PortState& state) noexcept;
-  void note(const PortStatistics& statistics);
+  void note(const PortStatistics& statistics, const DriverState& said);
   void end(const TroubleReport& report) noexcept;
 
   std::unique_ptr<DeviceDriver> driver_;

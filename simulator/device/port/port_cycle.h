@@ -40,6 +40,8 @@ struct PortStatistics {
   double greatest_force_newton = 0.0;
   /// Of what the device answered.
   TimeSpread round_trips;
+  /// Since it runs: it knows where its legs or joints are.
+  std::chrono::microseconds calibrated_for{0};
 };
 
 class PortCycle {
@@ -80,8 +82,8 @@ class PortCycle {
   DeadManSwitch guard_;
   PortState state_;
   PortStatistics statistics_;
-  /// When it said something last.
-  Time heard_;
+  /// When it said something last, and since when it runs.
+  Time heard_, runs_since_;
   std::uint32_t garbled_in_a_row_ = 0;
 };
 

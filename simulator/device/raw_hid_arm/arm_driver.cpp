@@ -19,15 +19,17 @@ ArmDriver::ArmDriver(std::function<OpenedHid()> open_channel, ArmGeometry geomet
 }
 
 DeviceDescription ArmDriver::description() const {
-  return {geometry_.name.empty() ? "Open serial arm" : geometry_.name, "arm6",
-          DeviceLimits{.force_newton = geometry_.force_newton,
-                       .continuous_force_newton = geometry_.continuous_force_newton,
-                       .thermal_time_s = 10.0,
-                       .stiffness_newton_per_mm = geometry_.stiffness_newton_per_mm,
-                       .damping_newton_s_per_mm = geometry_.damping_newton_s_per_mm,
-                       .transport_ticks = 1,
-                       .renders_vibration = true},
-          DevicePulse{.numbers_packets = true}};
+  return {.name = geometry_.name.empty() ? "Open serial arm" : geometry_.name,
+          .device_class = "arm6",
+          .limits = DeviceLimits{.force_newton = geometry_.force_newton,
+                                 .continuous_force_newton = geometry_.continuous_force_newton,
+                                 .thermal_time_s = 10.0,
+                                 .stiffness_newton_per_mm = geometry_.stiffness_newton_per_mm,
+                                 .damping_newton_s_per_mm = geometry_.damping_newton_s_per_mm,
+                                 .transport_ticks = 1,
+                                 .renders_vibration = true},
+          .pulse = DevicePulse{.numbers_packets = true},
+          .measures_rotation = true};
 }
 
 TroubleReport ArmDriver::open(const OpeningWatch&) {

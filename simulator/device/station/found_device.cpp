@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "simulator/device/bus/service_library.h"
 #include "simulator/device/falcon/falcon_firmware.h"
 
 namespace hallux::simulator {
@@ -48,6 +49,30 @@ TroubleReport trouble_of(const FoundDevice& device, const DeviceSettings& settin
   return trouble_with_settings(device.kind, settings);
 }
 
+std::string service_address(std::uint16_t port) { return "ws://127.0.0.1:" + std::to_string(port); }
+
+/// Those that the service of the Inverse3 has. Nobody who has none wants to read that it is away:
+/// it is told where something was set for one.
+void add_served(std::vector<FoundDevice>& devices, InverseService& inverse,
+                const StationSettings& settings) {
+  const std::uint16_t port = service_port(settings);
+  const InverseList list = inverse.look(port);
+  for (const InverseArm& arm : list.arms) {
+    FoundDevice device = unserved_inverse(port);
+    device.serial = device.bus_path = arm.id;
+    device.trouble = trouble_with_inverse(arm);
+    devices.push_back(std::move(device));
+  }
+  const std::string id(facts_of(DeviceKind::Inverse3).id);
+  const auto set = settings.devices.lower_bound(id);
+  const bool is_set = set != settings.devices.end() && set->first.starts_with(id);
+  const bool is_away = list.trouble.trouble == DeviceTrouble::NoService;
+  if (!list.trouble || (is_away && !is_set)) return;
+  FoundDevice device = unserved_inverse(port);
+  device.trouble = list.trouble;
+  devices.push_back(std::move(device));
+}
+
 }  // namespace
 
 DeviceSettings StationSettings::of(const std::string& id, const std::string& kind) const {
@@ -85,26 +110,50 @@ void name_apart(std::vector<FoundDevice>& devices) {
   }
 }
 
-std::vector<FoundDevice> find_devices(HidLibrary& hid, const UsbLibrary& usb,
-                                      const StationSettings& settings) {
+std::vector<DeviceLibrary> device_libraries() {
+  return {{"hidapi", hid_library_version()},
+          {"libusb", usb_library_version()},
+          {"libwebsockets", service_library_version()}};
+}
+
+std::uint16_t service_port(const StationSettings& settings) {
+  const std::string id(facts_of(DeviceKind::Inverse3).id);
+  return settings.of(id, id).service_port.value_or(inverse_port);
+}
+
+FoundDevice unserved_inverse(std::uint16_t port) {
+  FoundDevice device;
+  device.kind = DeviceKind::Inverse3;
+  device.id = facts_of(device.kind).id;
+  device.name = facts_of(device.kind).name;
+  device.address = service_address(port);
+  device.service_port = port;
+  device.trouble = {DeviceTrouble::NoService, std::to_string(port), {}};
+  return device;
+}
+
+std::vector<FoundDevice> find_devices(Buses& buses, const StationSettings& settings) {
   std::vector<FoundDevice> devices;
   for (const std::uint16_t vendor : usb_vendors())
-    for (const PluggedDevice& each : usb.plugged(vendor))
+    for (const PluggedDevice& each : buses.usb.plugged(vendor))
       if (const KindFacts* kind = usb_kind(each.vendor, each.product))
         devices.push_back(found(*kind, each));
-  for (const PluggedHid& each : hid.plugged()) {
+  for (const PluggedHid& each : buses.hid.plugged()) {
     const KindFacts* kind = hid_kind(each.device.vendor, each.device.product, each.usage);
     if (kind == nullptr) continue;
     devices.push_back(found(*kind, each.device));
     devices.back().axis_limit = each.axis_limit;
   }
+  add_served(devices, buses.inverse, settings);
   // The same order whatever the buses answer first.
   std::stable_sort(devices.begin(), devices.end(), [](const FoundDevice& a, const FoundDevice& b) {
     return std::tie(a.kind, a.serial, a.bus_path) < std::tie(b.kind, b.serial, b.bus_path);
   });
   name_apart(devices);
-  for (FoundDevice& each : devices)
-    each.trouble = trouble_of(each, settings.of(each.id, std::string(facts_of(each.kind).id)));
+  for (FoundDevice& each : devices) {
+    if (each.kind != DeviceKind::Inverse3)
+      each.trouble = trouble_of(each, settings.of(each.id, std::string(facts_of(each.kind).id)));
+  }
   FoundDevice mouse;
   mouse.id = facts_of(DeviceKind::Mouse).id;
   mouse.name = facts_of(DeviceKind::Mouse).name;

@@ -36,6 +36,8 @@ std::unique_ptr<DeviceDriver> driver_of(const FoundDevice& device, const DeviceS
       return falcon_driver(device, settings);
     case DeviceKind::RawHidArm:
       return std::make_unique<ArmDriver>(open_hid, settings.geometry.value_or(ArmGeometry{}));
+    case DeviceKind::Inverse3:
+      return std::make_unique<Inverse3Driver>(inverse_access(device.service_port), device.serial);
     case DeviceKind::SpaceMouse:
       return std::make_unique<SpaceMouseDriver>(open_hid, device.name,
                                                 device.axis_limit.value_or(usual_axis_limit));
@@ -56,8 +58,8 @@ std::vector<FoundDevice> Station::devices() const {
 }
 
 std::vector<FoundDevice> Station::look() {
-  const std::lock_guard asking(buses_);
-  std::vector<FoundDevice> found = find_devices(hid_, usb_, settings_);
+  const std::lock_guard asking(asking_);
+  std::vector<FoundDevice> found = find_devices(buses_, settings_);
   const std::lock_guard lock(mutex_);
   devices_ = found;
   return found;
@@ -83,7 +85,7 @@ void Station::open_again() {
 
 std::shared_ptr<DevicePort> Station::open_port(const FoundDevice& device) {
   std::unique_ptr<DeviceDriver> driver =
-      driver_of(device, settings_.of(device.id, std::string(facts_of(device.kind).id)), hid_);
+      driver_of(device, settings_.of(device.id, std::string(facts_of(device.kind).id)), buses_.hid);
   return driver ? std::make_shared<DevicePort>(std::move(driver)) : nullptr;
 }
 

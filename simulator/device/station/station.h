@@ -56,10 +56,9 @@ class Station {
   std::shared_ptr<DevicePort> open_port(const FoundDevice& device);
 
   StationSettings settings_;
-  HidLibrary hid_;
-  UsbLibrary usb_;
-  /// One at a time asks the buses.
-  std::mutex buses_;
+  Buses buses_;
+  /// One at a time asks them.
+  std::mutex asking_;
   mutable std::mutex mutex_;
   std::condition_variable_any wakes_;
   /// Under the mutex, with what follows.

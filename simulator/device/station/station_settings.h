@@ -2,6 +2,7 @@
 /// are held. Plain data; whoever keeps it reads it from a file.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -19,6 +20,8 @@ struct DeviceSettings {
   std::filesystem::path geometry_file = {};
   std::optional<ArmGeometry> geometry = std::nullopt;
   std::string geometry_fault = {};
+  /// Inverse3: where its service listens on this machine, if not where it usually does.
+  std::optional<std::uint16_t> service_port = std::nullopt;
   /// World millimetres for one of the device.
   std::optional<double> motion_scale = std::nullopt;
   /// Of what the device gives, at most.

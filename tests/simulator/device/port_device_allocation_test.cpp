@@ -18,8 +18,11 @@ class QuietDriver final : public DeviceDriver {
 
   TroubleReport open(const OpeningWatch&) override { return {}; }
   DeviceDescription description() const override {
-    return {"quiet", class_, DeviceLimits{.force_newton = 8.0},
-            DevicePulse{.numbers_packets = true}};
+    return {.name = "quiet",
+            .device_class = class_,
+            .limits = DeviceLimits{.force_newton = 8.0},
+            .pulse = DevicePulse{.numbers_packets = true},
+            .measures_rotation = class_ == "arm6"};
   }
   DriverExchange exchange(const Vec3&) noexcept override {
     std::this_thread::sleep_for(std::chrono::microseconds(100));

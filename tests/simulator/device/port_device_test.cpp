@@ -59,7 +59,7 @@ TEST_F(HeldArm, LiesInTheWorldAsItsFrameSaysAndIsPushedThere) {
   EXPECT_EQ(arm.description().motion_scale, 0.5);
 }
 
-TEST_F(HeldArm, OfThreeJointsIsTurnedByTheWindow) {
+TEST_F(HeldArm, WhoseGripMeasuresNoRotationIsTurnedByTheWindow) {
   ArmDevice arm(port_, setup_);
   hold({}, rotation_about({1.0, 0.0, 0.0}, 1.0));
   exchanged(arm, no_force, 100);
@@ -70,8 +70,8 @@ TEST_F(HeldArm, OfThreeJointsIsTurnedByTheWindow) {
   expect_at(state, start.translation_mm);
 }
 
-TEST_F(HeldArm, OfSixJointsTurnsItself) {
-  driver_.described.device_class = "arm6";
+TEST_F(HeldArm, WhoseGripMeasuresItsRotationTurnsItself) {
+  driver_.described.measures_rotation = true;
   ArmDevice arm(port_, setup_);
   exchanged(arm);
   const Quat turn = rotation_about({0.0, 0.0, 1.0}, 0.2);

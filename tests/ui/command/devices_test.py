@@ -10,6 +10,7 @@ import tempfile
 import unittest
 
 from hallux_command import (BAD_INPUT, CHECK_FAILED, DONE, NO_DISPLAY, PROGRAM, WRONG_USAGE, CommandTest, coarse_silver)
+from inverse_service import InverseService
 
 SERVED_BUS = os.environ["HALLUX_SERVED_BUS"]
 RULES = pathlib.Path(os.environ["HALLUX_UDEV_RULES"])
@@ -72,7 +73,7 @@ class Listed(ServedTest):
         self.assertTrue(found["mouse"]["usable"])
 
     def test_libraries_say_their_versions(self):
-        self.assertEqual(self.ask("devices")["libraries"].keys(), {"hidapi", "libusb"})
+        self.assertEqual(self.ask("devices")["libraries"].keys(), {"hidapi", "libusb", "libwebsockets"})
 
     def test_people_read_the_same(self):
         said = self.hallux("devices").out
@@ -288,6 +289,94 @@ class Arm(ServedTest):
                 self.assertEqual(self.seen()["motors"], [0, 0, 0])
 
 
+class Inverse(CommandTest):
+    def serve(self, **how):
+        """The station asks this service from now on."""
+        service = InverseService(**how)
+        self.addCleanup(service.close)
+        self.ask("devices", "set", "inverse3", "service_port", str(service.port))
+        return service
+
+    def listed(self):
+        return {device["id"]: device for device in self.ask("devices")["devices"]}
+
+    def try_out(self, *options, code=DONE):
+        return self.ask("devices", "test", "inverse3", "--quiet", *options, code=code)
+
+    def test_it_is_listed_as_its_service_names_it(self):
+        service = self.serve()
+        found = self.listed()
+        self.assertEqual(list(found), ["mouse", "inverse3"])
+        self.assertEqual([found["inverse3"][key] for key in ("kind", "class", "library", "address", "usable", "reason")],
+                         ["inverse3", "arm3", "libwebsockets", f"ws://127.0.0.1:{service.port}", True, None])
+        service.arms = ("049D", "1234")
+        self.assertEqual(list(self.listed()), ["mouse", "inverse3-049D", "inverse3-1234"])
+
+    def test_it_is_exchanged_with_under_both_words_for_a_force(self):
+        for keys, version in ((("vector",), "3.5.0"), (("values",), "3.1.1"), (("values",), "3.5.0"), (("vector",), None)):
+            with self.subTest(keys=keys, version=version):
+                service = self.serve(keys=keys, version=version)
+                answer = self.try_out("--seconds", "2", "--wall", "0.5")
+                self.assertGreaterEqual(answer["exchanges"], 1000)
+                self.assertEqual((answer["bad_packets"], answer["homed"], answer["fault"]), (0, True, None))
+                self.assertGreater(service.greatest, 0.2)
+                self.assertLessEqual(service.greatest, 6.0)
+                self.assertAlmostEqual(answer["own_force_scale"], 1.0, delta=0.1)
+                self.assertEqual(set(service.force.values()), {0.0}, "nothing is left")
+
+    def test_messages_in_pieces_are_put_together(self):
+        self.serve(fault="fragments")
+        self.assertEqual(self.try_out("--seconds", "0.5")["fault"], None)
+
+    def test_silence_rubbish_and_a_service_that_goes_leave_no_force(self):
+        for what, fault in (("silent", "silent"), ("garbled", "garbled"), ("long", "garbled"), ("deep", "garbled"),
+                            ("nan", "garbled"), ("gone", "service_gone")):
+            with self.subTest(fault=what):
+                service = self.serve(fault=what, fault_after=300)
+                answer = self.try_out("--seconds", "6", "--wall", "0.5", code=CHECK_FAILED)
+                self.assertEqual(answer["fault"], fault)
+                self.assertLessEqual(answer["zero_after_packets"], 5)
+                self.assertEqual(set(service.force.values()), {0.0}, "nothing is left")
+
+    def test_one_that_understands_no_word_is_told(self):
+        self.serve(keys=())
+        self.assertEqual(self.try_out("--seconds", "6", "--wall", "0.5", code=CHECK_FAILED)["fault"], "service_version")
+
+    def test_what_cannot_be_used_says_why(self):
+        for how, reason, word in (({"version": "3.0.5"}, "service_version", "(3.0)"), ({"kind": "minverse"}, "wrong_model", "(minverse)"),
+                                  ({"first": '{"inverse3": {"049D": {}}}'}, "service_version", "(3.0)"),
+                                  ({"first": "[" * 1000}, "service_version", "no list of devices")):
+            with self.subTest(**how):
+                self.serve(**how)
+                found = self.listed()["inverse3"]
+                self.assertEqual((found["usable"], found["reason"]), (False, reason))
+                self.assertIn(word, found["sentence"])
+                self.expect_refusal(NO_DISPLAY, [word], "devices", "test", "inverse3")
+
+    def test_without_its_service_only_who_asks_is_told(self):
+        self.serve().close()
+        found = self.listed()["inverse3"]
+        self.assertEqual((found["usable"], found["reason"]), (False, "no_service"))
+        self.assertIn("service_port PORT", found["mend"])
+        self.ask("devices", "set", "inverse3", "service_port", "")
+        self.assertNotIn("inverse3", self.listed())
+        self.expect_refusal(NO_DISPLAY, ["its service does not answer"], "devices", "test", "inverse3")
+        self.expect_refusal(NO_DISPLAY, ["its service does not answer"], "attempt", "silver", "--device", "inverse3", "--seconds", "1")
+
+    def test_an_attempt_is_recorded_with_its_own_scale(self):
+        self.serve()
+        answer = self.ask("attempt", self.write("coarse.json", coarse_silver()), "--device", "inverse3", "--seconds", "1", "--quiet")
+        device = answer["quality"]["device"]
+        self.assertEqual((device["kind"], device["class"], device["library"]), ("inverse3", "arm3", "libwebsockets"))
+        self.assertIn("own_force_scale", device)
+        self.assertGreater(device["calibration_age_s"], 0.0)
+        self.assertIs(self.ask("replay", answer["attempt"])["identical"], True)
+
+    def test_a_port_that_is_none_is_refused(self):
+        for port in ("80", "70000", "2000.5", "x"):
+            self.expect_refusal(BAD_INPUT, ["from 1024 to 65535"], "devices", "set", "inverse3", "service_port", port)
+
+
 class Operated(ServedTest):
     devices = ("falcon:loaded",)
 
@@ -317,7 +406,7 @@ class Operated(ServedTest):
     def test_how_long_must_be_said(self):
         self.expect_refusal(WRONG_USAGE, ["--seconds"], "attempt", "silver", "--device", "falcon")
         self.expect_refusal(WRONG_USAGE, ["--device ID"], "attempt", "silver", "--seconds", "2")
-        self.expect_refusal(NO_DISPLAY, ["is not plugged in"], "attempt", "silver", "--device", "inverse3", "--seconds", "2")
+        self.expect_refusal(NO_DISPLAY, ["is not plugged in"], "attempt", "silver", "--device", "space_mouse", "--seconds", "2")
 
 
 if __name__ == "__main__":

@@ -19,7 +19,11 @@ void had_or_not_usable(const std::function<void()>& have) {
 }
 
 simulator::FoundDevice usable_device(simulator::Station& station, const std::string& id) {
-  const std::vector<simulator::FoundDevice> devices = station.look();
+  std::vector<simulator::FoundDevice> devices = station.look();
+  // Its service tells what is plugged in: where that is away, nobody knows.
+  const simulator::KindFacts& inverse = facts_of(simulator::DeviceKind::Inverse3);
+  if (id == inverse.id && device_with(devices, id) == nullptr)
+    devices.push_back(simulator::unserved_inverse(service_port(station.settings())));
   const simulator::FoundDevice* found = device_with(devices, id);
   if (found == nullptr) {
     throw VerbError(ExitCode::NoDisplay,

@@ -40,8 +40,9 @@ ordered_json device_json(const FoundDevice& device) {
 }
 
 ordered_json libraries_json() {
-  return {{"hidapi", simulator::hid_library_version()},
-          {"libusb", simulator::usb_library_version()}};
+  ordered_json libraries = ordered_json::object();
+  for (const auto& [name, version] : simulator::device_libraries()) libraries[name] = version;
+  return libraries;
 }
 
 void print_device(std::ostream& out, const FoundDevice& device) {
@@ -58,10 +59,9 @@ void print_device(std::ostream& out, const FoundDevice& device) {
 }
 
 ExitCode list_devices_on(const VerbContext& context) {
-  simulator::HidLibrary hid;
-  const simulator::UsbLibrary usb;
+  simulator::Buses buses;
   const std::vector<FoundDevice> devices =
-      find_devices(hid, usb, read_devices(context.data_directory));
+      find_devices(buses, read_devices(context.data_directory));
   auto rows = ordered_json::array();
   for (const FoundDevice& each : devices) rows.push_back(device_json(each));
   answer(context, {{"devices", rows}, {"libraries", libraries_json()}}, [&](std::ostream& out) {
@@ -104,6 +104,8 @@ ordered_json test_json(const std::string& id, const DeviceTestResult& result) {
           {"rate_hz", result.rate_hz},
           {"homed", result.is_homed},
           {"greatest_force_newton", figures.greatest_force_newton},
+          {"own_force_scale",
+           figures.own_force_scale ? ordered_json(*figures.own_force_scale) : ordered_json()},
           {"fault", result.fault ? ordered_json(id_of(result.fault.trouble)) : ordered_json()},
           {"zero_after_packets", result.zero_after_packets}};
 }

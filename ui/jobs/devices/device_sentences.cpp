@@ -11,9 +11,10 @@ constexpr const char* rules_line =
     "hallux devices rules | sudo tee /etc/udev/rules.d/70-hallux-haptics.rules && sudo udevadm "
     "control --reload && sudo udevadm trigger";
 
-constexpr const char *falcon_home =
-                         "pull the grip out fully, then push it in until its light turns blue",
-                     *arm_home = "put the arm into its stand and hold its button for half a second";
+constexpr const char
+    *falcon_home = "pull the grip out fully, then push it in until its light turns blue",
+    *arm_home = "put the arm into its stand and hold its button for half a second",
+    *inverse_home = "calibrate it as its maker's guide says, until its service calls it calibrated";
 
 /// Why nobody but its maker speaks with it.
 std::string closed_sentence(DeviceKind kind) {
@@ -51,9 +52,10 @@ std::string sentence_of(const simulator::TroubleReport& trouble, const simulator
     case DeviceTrouble::NotCalibrated:
       return name + ": it does not know where its joints are";
     case DeviceTrouble::NoService:
-      return name + ": its service does not answer on this machine";
+      return name + ": its service does not answer on this machine at port " + subject;
     case DeviceTrouble::ServiceVersion:
-      return with(name + ": its service speaks another protocol than 3.1 to 3.5", trouble.detail);
+      return with(name + ": its service speaks none of the protocols from 3.1 on that are known",
+                  trouble.detail);
     case DeviceTrouble::WrongModel:
       return with(name + ": it is another model", trouble.detail);
     case DeviceTrouble::ClosedProtocol:
@@ -93,11 +95,12 @@ std::string mend_of(const simulator::TroubleReport& trouble, const simulator::Ki
     case DeviceTrouble::NotHomed:
       return falcon_home;
     case DeviceTrouble::NotCalibrated:
-      return arm_home;
+      return kind.kind == DeviceKind::Inverse3 ? inverse_home : arm_home;
     case DeviceTrouble::NoService:
-      return "start its maker's service";
+      return "start its maker's service; where it listens elsewhere: hallux devices set " + id +
+             " service_port PORT";
     case DeviceTrouble::ServiceVersion:
-      return "install a version of the service that speaks 3.1 to 3.5";
+      return "install a version 3.1 to 3.5 of the service";
     case DeviceTrouble::BadRecord:
       return "hallux devices set " + id + " geometry FILE";
     case DeviceTrouble::TooSlow:
@@ -132,6 +135,7 @@ std::string home_sentence(const simulator::KindFacts& kind) {
     return std::string(kind.name) + ": " + std::string(what) + ".";
   };
   if (kind.kind == DeviceKind::Falcon) return words(falcon_home);
+  if (kind.kind == DeviceKind::Inverse3) return words(inverse_home);
   return kind.kind == DeviceKind::RawHidArm ? words(arm_home) : std::string();
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 #include "database/store/files.h"
 #include "scenarios/json_node.h"
@@ -29,11 +30,12 @@ constexpr std::size_t id_letters_max = 160, path_letters_max = 4096;
 constexpr std::string_view firmware_key = "firmware",
                            force_constant_key = "counts_per_newton_metre",
                            geometry_key = "geometry", motion_key = "motion_scale",
-                           force_key = "force_share";
-constexpr std::array<DeviceKey, 5> keys{{
+                           force_key = "force_share", port_key = "service_port";
+constexpr std::array<DeviceKey, 6> keys{{
     {firmware_key, "falcon", "the file with its firmware, from its maker's own program"},
     {force_constant_key, "falcon", "what its motors make of a newton metre, 1000 to 20000"},
     {geometry_key, "raw_hid_arm", "the file with the record of its geometry"},
+    {port_key, "inverse3", "where its service listens on this machine, 1024 to 65535"},
     {motion_key, "", "millimetres of the saw for one of the hand, 0.25 to 4"},
     {force_key, "", "how much of the force that it can give it is given, 0 to 1"},
 }};
@@ -44,12 +46,14 @@ struct Bounds {
 };
 Bounds bounds_of(std::string_view key) noexcept {
   if (key == force_constant_key) return {1000.0, 20000.0};
+  if (key == port_key) return {1024.0, 65535.0};
   return key == motion_key ? Bounds{0.25, 4.0} : Bounds{0.0, 1.0};
 }
 bool is_path(std::string_view key) noexcept { return key == firmware_key || key == geometry_key; }
 
 DeviceSettings settings_from(const JsonNode& node) {
-  node.expect_keys({}, {firmware_key, force_constant_key, geometry_key, motion_key, force_key});
+  node.expect_keys(
+      {}, {firmware_key, force_constant_key, geometry_key, motion_key, force_key, port_key});
   const auto path = [&](std::string_view key) {
     return node.has(key) ? fs::path(node.at(key).text(1, path_letters_max)) : fs::path();
   };
@@ -62,6 +66,7 @@ DeviceSettings settings_from(const JsonNode& node) {
   settings.firmware = path(firmware_key);
   settings.counts_per_newton_metre = number(force_constant_key);
   settings.geometry_file = path(geometry_key);
+  if (const auto port = number(port_key)) settings.service_port = static_cast<std::uint16_t>(*port);
   settings.motion_scale = number(motion_key);
   settings.force_share = number(force_key);
   return settings;
@@ -117,7 +122,8 @@ ordered_json number_from(const std::string& id, const std::string& key, const st
   double number = 0.0;
   const auto read = std::from_chars(value.data(), value.data() + value.size(), number);
   const bool is_whole = read.ec == std::errc() && read.ptr == value.data() + value.size();
-  if (!is_whole || !(number >= bounds.low && number <= bounds.high)) {
+  const bool is_fit = key != port_key || number == std::floor(number);
+  if (!is_whole || !is_fit || !(number >= bounds.low && number <= bounds.high)) {
     refuse_value(id, key, value,
                  "give a number from " + scenarios::text_of_number(bounds.low) + " to " +
                      scenarios::text_of_number(bounds.high));
