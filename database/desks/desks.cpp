@@ -56,7 +56,8 @@ constexpr std::array<std::string_view, action_count> action_names{"begin_attempt
                                                                   "compare_with_cohort",
                                                                   "run_report",
                                                                   "export_attempt",
-                                                                  "import_attempt"};
+                                                                  "import_attempt",
+                                                                  "choose_hand"};
 
 std::string_view name_of(Action action) noexcept {
   return action_names[static_cast<std::size_t>(action)];

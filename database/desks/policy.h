@@ -89,9 +89,11 @@ enum class Action : std::uint8_t {
   /// An attempt as files for other programs.
   ExportAttempt,
   /// An attempt that another directory exported.
-  ImportAttempt
+  ImportAttempt,
+  /// To say how one holds the saw.
+  ChooseHand
 };
-inline constexpr std::size_t action_count = 43;
+inline constexpr std::size_t action_count = 44;
 
 /// Whose row it is, seen from the person at the desk.
 enum class Relation : std::uint8_t {
@@ -177,6 +179,7 @@ inline constexpr std::array<PolicyLine, action_count> make_policy() noexcept {
       {Action::RunReport, {{no, no, no, other}}},
       {Action::ExportAttempt, {{robot, own_robot, cohort_robot, own_robot_other}}},
       {Action::ImportAttempt, {{no, no, no, other}}},
+      {Action::ChooseHand, {{no, own, no, no}}},
   }};
 }
 

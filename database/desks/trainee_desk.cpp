@@ -1,6 +1,7 @@
 #include "database/desks/trainee_desk.h"
 
 #include "database/audit/audit.h"
+#include "database/people/hand_settings.h"
 #include "database/store/sql.h"
 #include "simulator/base/progress.h"
 
@@ -66,6 +67,19 @@ void TraineeDesk::acknowledge(NoticeId notice) {
   require(*database_, holder_, Action::ReadNotices, is_own ? Relation::Own : Relation::Other,
           "notice " + std::to_string(notice.number));
   acknowledge_notice(*database_, notice, *holder_.person);
+}
+
+HandSettings TraineeDesk::hand_settings() {
+  require(*database_, holder_, Action::ChooseHand, Relation::Own, "how you hold the saw");
+  return load_hand_settings(*database_, *holder_.person);
+}
+
+void TraineeDesk::choose_hand(const HandSettings& settings) {
+  require(*database_, holder_, Action::ChooseHand, Relation::Own, "how you hold the saw");
+  in_transaction(*database_, "keep how somebody holds the saw", [&] {
+    store_hand_settings(*database_, *holder_.person, settings);
+    audit("hand_chosen", "person", std::to_string(holder_.person->number));
+  });
 }
 
 PersonExport TraineeDesk::export_own(const std::filesystem::path& directory,

@@ -8,6 +8,7 @@
 #include "database/course/help_requests.h"
 #include "database/desks/desks.h"
 #include "database/maintenance/person_export.h"
+#include "database/records/hand_settings.h"
 #include "simulator/base/progress.h"
 
 namespace hallux::database {
@@ -33,6 +34,10 @@ class TraineeDesk : public CourseDesk {
   std::vector<Notice> notices();
   /// errors  DatabaseError Refused where it was told to somebody else, or there is none
   void acknowledge(NoticeId notice);
+  /// How this person holds the saw, wherever they sign in.
+  HandSettings hand_settings();
+  /// errors  DatabaseError BadInput for a scale or a share that cannot be
+  void choose_hand(const HandSettings& settings);
   /// All that is kept of this person (database/maintenance/person_export.h).
   PersonExport export_own(const std::filesystem::path& directory, const Progress& progress = {});
 

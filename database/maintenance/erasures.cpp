@@ -23,9 +23,10 @@ namespace {
 /// ?1 is the person. Of and by them: what others wrote about their attempts names them as easily as
 /// their own words. The reasons of what they decided about others stay: those are part of the
 /// others' grades.
-constexpr std::array<const char*, 18> erasing_statements{
+constexpr std::array<const char*, 19> erasing_statements{
     "DELETE FROM person_detail WHERE person_id = ?1", "DELETE FROM password WHERE person_id = ?1",
     "DELETE FROM one_time_code WHERE person_id = ?1", "DELETE FROM session WHERE person_id = ?1",
+    "DELETE FROM hand_setting WHERE person_id = ?1",
     "DELETE FROM notice_seen WHERE person_id = ?1 OR notice_id IN "
     "(SELECT notice_id FROM notice WHERE person_id = ?1)",
     "DELETE FROM notice WHERE person_id = ?1",

@@ -32,7 +32,7 @@ struct KeptTable {
 };
 
 /// What somebody is and did.
-constexpr std::array<KeptTable, 5> tables_of_deeds{{
+constexpr std::array<KeptTable, 6> tables_of_deeds{{
     {"person",
      "Who you are here: your login, the name shown, and what you may do. Kept so that you can "
      "sign in, until you are erased. Your password is not kept, only a value from which it cannot "
@@ -46,6 +46,14 @@ constexpr std::array<KeptTable, 5> tables_of_deeds{{
     {"cohorts", "The groups you are in, and as what.",
      "SELECT h.name AS cohort, m.role, m.enrolled_utc FROM membership m JOIN cohort h USING "
      "(cohort_id) WHERE m.person_id = ?1 ORDER BY h.name"},
+    {"hand_settings",
+     "How you hold the saw: with which hand, and over what is set for a station how far the saw "
+     "goes "
+     "for your hand and how much of a device's force you feel at most, in thousandths. Kept so "
+     "that "
+     "it is so wherever you sign in, until you choose otherwise or are erased.",
+     "SELECT is_left_handed, motion_scale_milli, force_share_milli, changed_utc FROM hand_setting "
+     "WHERE person_id = ?1"},
     {"sign_ins",
      "When you signed in and out. Kept so that somebody else's use of your account can be noticed.",
      "SELECT session_id AS session, started_utc, ended_utc FROM session WHERE person_id = ?1 "

@@ -34,6 +34,7 @@ constexpr std::array decisions{
     TableAccess{"display_fact", Open},
     TableAccess{"erased_recording", Open},
     TableAccess{"erasure", Open},
+    TableAccess{"hand_setting", Closed},
     TableAccess{"help_request", WithoutText},
     TableAccess{"membership", Open},
     TableAccess{"note", WithoutText},

@@ -41,6 +41,7 @@ inline constexpr std::array accounted_tables{
     AccountedTable{"person_detail", "person_id", 1, true},
     AccountedTable{"password", "person_id"},
     AccountedTable{"one_time_code", "person_id"},
+    AccountedTable{"hand_setting", "person_id"},
     AccountedTable{"cohort", "cohort_id"},
     AccountedTable{"membership", "cohort_id, person_id", 2},
     AccountedTable{"attempt_limit", "cohort_id, scenario_name", 2},

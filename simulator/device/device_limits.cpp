@@ -24,4 +24,13 @@ double force_scale_on(const DeviceLimits& limits,
                               simulated_stiffness_newton_per_mm);
 }
 
+std::optional<DeviceLimits> limits_at_share(const std::optional<DeviceLimits>& limits,
+                                            double force_share) noexcept {
+  if (!limits || force_share <= 0.0) return std::nullopt;
+  DeviceLimits allowed = *limits;
+  allowed.force_newton *= force_share;
+  allowed.continuous_force_newton *= force_share;
+  return allowed;
+}
+
 }  // namespace hallux::simulator

@@ -50,4 +50,8 @@ double usual_force_scale(double force_newton) noexcept;
 double force_scale_on(const DeviceLimits& limits,
                       double simulated_stiffness_newton_per_mm) noexcept;
 
+/// What is felt of it where only a share of its force [0, 1] is allowed; nothing: nobody is pushed.
+std::optional<DeviceLimits> limits_at_share(const std::optional<DeviceLimits>& limits,
+                                            double force_share) noexcept;
+
 }  // namespace hallux::simulator

@@ -13,11 +13,7 @@ constexpr double turn_s = 0.03;
 DeviceDescription described(const Port& port, const PortDeviceSetup& setup) {
   DeviceDescription description = port.description();
   description.motion_scale = setup.frame.motion_scale;
-  if (setup.force_share <= 0.0) description.limits.reset();
-  if (description.limits) {
-    description.limits->force_newton *= setup.force_share;
-    description.limits->continuous_force_newton *= setup.force_share;
-  }
+  description.limits = limits_at_share(description.limits, setup.force_share);
   return description;
 }
 

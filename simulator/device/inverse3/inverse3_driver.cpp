@@ -44,9 +44,9 @@ OpenedInverse open_inverse(const InverseAccess& access) {
   inverse.channel = std::move(opened.channel);
   if (const auto page = access.version_page()) {
     const std::optional<InverseVersion> version = inverse_version(*page);
-    if (version && (*version < oldest || version->major > majors_known))
+    if (version && (version->is_before(oldest) || version->major > majors_known))
       return other_protocol(words_of(*version));
-    if (version && *version >= says_vector) inverse.force_key = InverseForceKey::Vector;
+    if (version && !version->is_before(says_vector)) inverse.force_key = InverseForceKey::Vector;
   }
   const HeardMessage heard = inverse.channel->hear(inventory_within);
   if (heard.answer == BusAnswer::Gone) return ended({DeviceTrouble::ServiceGone, {}, {}});

@@ -13,7 +13,6 @@
 #pragma once
 
 #include <array>
-#include <compare>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -66,7 +65,10 @@ std::string inverse_inventory();
 struct InverseVersion {
   int major = 0, minor = 0;
 
-  friend auto operator<=>(const InverseVersion&, const InverseVersion&) = default;
+  friend bool operator==(const InverseVersion&, const InverseVersion&) = default;
+  bool is_before(const InverseVersion& other) const noexcept {
+    return major != other.major ? major < other.major : minor < other.minor;
+  }
 };
 
 /// Of the service's page about itself; nothing where it says none.

@@ -82,6 +82,13 @@ DeviceSettings StationSettings::of(const std::string& id, const std::string& kin
   return shared == devices.end() ? DeviceSettings{} : shared->second;
 }
 
+Hold hold_of(const DeviceSettings& set, const HandChoice& own) noexcept {
+  const Hold usual;
+  return {own.motion_scale.value_or(set.motion_scale.value_or(usual.motion_scale)),
+          std::min(own.force_share.value_or(usual.force_share),
+                   set.force_share.value_or(usual.force_share))};
+}
+
 TroubleReport trouble_with_settings(DeviceKind kind, const DeviceSettings& settings) {
   if (kind == DeviceKind::Falcon) {
     if (settings.firmware.empty()) return {DeviceTrouble::NoFirmware, {}, {}};

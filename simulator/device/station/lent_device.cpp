@@ -120,14 +120,14 @@ std::unique_ptr<LentDevice> lend(const std::shared_ptr<Station>& station, const 
   return std::make_unique<LentDevice>(station, *found, port, setup);
 }
 
-PortDeviceSetup setup_of(const Station& station, const FoundDevice& device,
+PortDeviceSetup setup_of(const Station& station, const FoundDevice& device, const HandChoice& own,
                          const RigidTransform& world_from_start, const Quat& world_from_view) {
-  const DeviceSettings settings =
-      station.settings().of(device.id, std::string(facts_of(device.kind).id));
+  const Hold hold =
+      hold_of(station.settings().of(device.id, std::string(facts_of(device.kind).id)), own);
   PortDeviceSetup setup{world_from_start};
-  setup.frame = {world_from_view, settings.motion_scale.value_or(1.0)};
+  setup.frame = {world_from_view, hold.motion_scale};
   setup.buttons = buttons_of(device.kind);
-  setup.force_share = settings.force_share.value_or(1.0);
+  setup.force_share = hold.force_share;
   return setup;
 }
 

@@ -60,8 +60,9 @@ class LentDevice final : public SteeredDevice {
 std::unique_ptr<LentDevice> lend(const std::shared_ptr<Station>& station, const std::string& id,
                                  const PortDeviceSetup& setup);
 
-/// What is set for a device of the station, over what is usual for its kind.
-PortDeviceSetup setup_of(const Station& station, const FoundDevice& device,
+/// What is set for a device of the station and what its person chose, over what is usual for its
+/// kind.
+PortDeviceSetup setup_of(const Station& station, const FoundDevice& device, const HandChoice& own,
                          const RigidTransform& world_from_start, const Quat& world_from_view);
 
 }  // namespace hallux::simulator

@@ -52,6 +52,16 @@ Station::Station(StationSettings settings) : settings_(std::move(settings)) {
 
 Station::~Station() = default;
 
+StationSettings Station::settings() const {
+  const std::lock_guard lock(mutex_);
+  return settings_;
+}
+
+void Station::set(StationSettings settings) {
+  const std::lock_guard lock(mutex_);
+  settings_ = std::move(settings);
+}
+
 std::vector<FoundDevice> Station::devices() const {
   const std::lock_guard lock(mutex_);
   return devices_;
@@ -59,7 +69,7 @@ std::vector<FoundDevice> Station::devices() const {
 
 std::vector<FoundDevice> Station::look() {
   const std::lock_guard asking(asking_);
-  std::vector<FoundDevice> found = find_devices(buses_, settings_);
+  std::vector<FoundDevice> found = find_devices(buses_, settings());
   const std::lock_guard lock(mutex_);
   devices_ = found;
   return found;

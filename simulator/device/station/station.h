@@ -47,7 +47,9 @@ class Station {
   /// Nobody wants it any more; whoever still has its port keeps it.
   void close(const std::string& id);
 
-  const StationSettings& settings() const noexcept { return settings_; }
+  StationSettings settings() const;
+  /// Devices that are opened from now on have these.
+  void set(StationSettings settings);
 
  private:
   void watch(const std::stop_token& stop);
@@ -55,13 +57,13 @@ class Station {
   void open_again();
   std::shared_ptr<DevicePort> open_port(const FoundDevice& device);
 
-  StationSettings settings_;
   Buses buses_;
   /// One at a time asks them.
   std::mutex asking_;
   mutable std::mutex mutex_;
   std::condition_variable_any wakes_;
   /// Under the mutex, with what follows.
+  StationSettings settings_;
   std::vector<FoundDevice> devices_;
   /// Of those that somebody wants; nullptr while the device is away.
   std::map<std::string, std::shared_ptr<DevicePort>> wanted_;

@@ -28,6 +28,22 @@ struct DeviceSettings {
   std::optional<double> force_share = std::nullopt;
 };
 
+/// How a person holds whatever operates, over what is set for the station.
+struct HandChoice {
+  std::optional<double> motion_scale = std::nullopt, force_share = std::nullopt;
+};
+
+/// How a device is held.
+struct Hold {
+  /// World millimetres for one of the device.
+  double motion_scale = 1.0;
+  /// Of what the device gives, at most [0, 1].
+  double force_share = 1.0;
+};
+
+/// A person's scale before the station's; of the force the lesser of both.
+Hold hold_of(const DeviceSettings& set, const HandChoice& own) noexcept;
+
 struct StationSettings {
   /// By the device's id, or by its kind's for all of that kind.
   std::map<std::string, DeviceSettings> devices = {};

@@ -412,6 +412,9 @@ Outcome tried(Walk& world, TriedDesk& desk, Action action, const Subject& subjec
         return refused_or_done([&] { desk.trainee->export_own(world.new_directory()); });
       }
       return about_person(world, desk, action, subject);
+    case Action::ChooseHand:
+      if (!desk.trainee || subject.relation != Relation::Own) return Outcome::NotOffered;
+      return refused_or_done([&] { desk.trainee->choose_hand({true}); });
     case Action::ReadNotices:
       return about_notices(world, desk, subject);
     case Action::LimitAttempts:

@@ -76,6 +76,7 @@ TEST(Policy, IsThis) {
       {"-", "-", "-", "x"},      // RunReport
       {"r", "or", "cr", "orx"},  // ExportAttempt
       {"-", "-", "-", "x"},      // ImportAttempt
+      {"-", "o", "-", "-"},      // ChooseHand
   }};
   for (std::size_t action = 0; action < action_count; ++action) {
     for (const Role role : roles) {

@@ -36,6 +36,8 @@ class TalkativeCourse : public SomeCourse {
     add_reply(database(), note, "thanks", id_of("ada"));
     const auto question = add_help_request(database(), {attempt_, {}, "why?"}, id_of("ada"));
     answer_help_request(database(), question, "so", kim);
+    trainee("ada").choose_hand({true, 1500, std::nullopt});
+    trainee("bob").choose_hand({false, 700, 300});
     instructor("kim", autumn()).recording(attempt_);
     instructor("kim", autumn()).decide({attempt_, DecisionKind::Overridden, 60'000, "a hard bone"});
   }
@@ -69,6 +71,9 @@ TEST(PersonExport, HoldsAllThatIsKeptOfThem) {
   EXPECT_EQ(all["decisions"][0]["reason"], "a hard bone");
   EXPECT_EQ(all["notes"][0]["text"], "=look, \"here\"");
   EXPECT_EQ(all["private_notes"][0]["notes"], 1);
+  ASSERT_EQ(all["hand_settings"].size(), 1U);
+  EXPECT_EQ(all["hand_settings"][0]["motion_scale_milli"], 1500);
+  EXPECT_TRUE(all["hand_settings"][0]["force_share_milli"].is_null());
   EXPECT_EQ(all["replies"][0]["text"], "thanks");
   EXPECT_EQ(all["questions"][0]["answered_by"], "kim");
   const auto is_view = [](const nlohmann::json& line) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "database/maintenance/verify.h"
+#include "database/people/hand_settings.h"
 #include "database/recording/display_facts.h"
 #include "database/recording/recordings.h"
 #include "tests/database/some_course.h"
@@ -112,6 +113,18 @@ TEST(Migrations, OpenADatabaseOfSchemaFiveInWhichNobodySawAnything) {
   const Verification found = verify(database);
   EXPECT_TRUE(found.is_whole()) << *found.first_damage;
   EXPECT_EQ(found.audit_rows, 37) << "covered before, and by no second baseline";
+}
+
+TEST(Migrations, OpenADatabaseOfSchemaSixInWhichNobodyChoseAHand) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_6.db"));
+  EXPECT_EQ(number(database, "PRAGMA user_version"), newest_schema());
+  EXPECT_EQ(number(database, "SELECT count(*) FROM display_fact"), 1);
+  EXPECT_EQ(load_hand_settings(database, PersonId{2}), HandSettings{});
+  EXPECT_EQ(verify(database).first_damage.value_or("none"), "none");
+  store_hand_settings(database, PersonId{2}, {true, 500, 250});
+  EXPECT_EQ(load_hand_settings(database, PersonId{2}), (HandSettings{true, 500, 250}));
+  EXPECT_EQ(verify(database).first_damage.value_or("none"), "none");
 }
 
 TEST(Migrations, VouchForNothingThatWasAlteredBefore) {

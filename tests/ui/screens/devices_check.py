@@ -14,13 +14,14 @@ import time
 from journeys_check import HANDS, PATIENCE_S, make_course, sign_in
 from window_check import opened_course, rows_of, wait_until
 
-# Between what a person does and the sample that shows it.
+# Between what a person does and the sample that shows it; between a plug and the device that is opened again.
 SOON_S = 1.0
+OPENED_AGAIN_S = 3.0
 
 
 class Bus:
     """What happens to the devices once it is asked for, one after the other."""
-    events = (("pull", "falcon"), ("plug", "falcon"), ("pull", "falcon"))
+    events = (("pull", "falcon"), ("plug", "falcon"), ("pull", "falcon"), ("plug", "falcon"))
 
     def __init__(self, program):
         self.program = program
@@ -90,7 +91,9 @@ def operate(hand, person, bus, place, take_picture):
     bus.go_on()
     hand.press("operate.lost.mouse")
     wait_until("it goes on with the mouse", lambda: is_running(person), PATIENCE_S)
-    time.sleep(SOON_S)
+    # Its motors have what they were told last: whoever plugs it in again must not be pushed.
+    bus.go_on()
+    time.sleep(OPENED_AGAIN_S)
     person.press("End")
     hand.press("operate.ask_finish.act")
     hand.wait_for("result.replay")
@@ -111,7 +114,7 @@ def check_record(place):
 
 
 def end(bus, place):
-    """Of the window, whose bus says what it saw: no motor is driven any more."""
+    """Of the window, whose bus says what it saw: no motor is driven any more, though it came back while the mouse led."""
     subprocess.run(["pkill", "-TERM", "-P", str(bus.pid)], check=True)
     bus.wait(timeout=60)
     falcon = json.loads((place / "seen.json").read_text())[0]

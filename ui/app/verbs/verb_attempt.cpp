@@ -150,7 +150,7 @@ HeldHand held_hand(const VerbContext& context, const AttemptOptions& options,
     std::unique_ptr<simulator::HapticDevice> device;
     had_or_not_usable([&] {
       device = lend_hand(
-          station, found,
+          station, found, {},
           {start_pose(scenario, bone, plan), start_camera(scenario, bone, plan).world_from_view});
     });
     return device;

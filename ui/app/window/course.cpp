@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 
 #include "ui/screens/administrator/audit_screen.h"
@@ -20,6 +21,7 @@
 #include "ui/screens/operating/flight/flight_screen.h"
 #include "ui/screens/operating/operating_screen.h"
 #include "ui/screens/parts/course_text.h"
+#include "ui/screens/parts/desk_work.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/screens/replay/replay_screen.h"
 #include "ui/screens/result/result_screen.h"
@@ -46,6 +48,23 @@ bool may_ask(const SignedInSession& signed_in) {
 }
 bool is_anybody(const SignedInSession&) { return true; }
 
+constexpr double milli = 1000.0;
+
+std::optional<double> of_milli(const std::optional<std::int32_t>& kept) {
+  return kept ? std::optional(static_cast<double>(*kept) / milli) : std::nullopt;
+}
+std::optional<std::int32_t> to_milli(const std::optional<double>& chosen) {
+  return chosen ? std::optional(static_cast<std::int32_t>(std::lround(milli * *chosen)))
+                : std::nullopt;
+}
+
+HandPreferences hand_from(const database::HandSettings& kept) {
+  return {kept.is_left_handed, of_milli(kept.motion_scale_milli), of_milli(kept.force_share_milli)};
+}
+database::HandSettings kept_from(const HandPreferences& hand) {
+  return {hand.is_left_handed, to_milli(hand.motion_scale), to_milli(hand.force_share)};
+}
+
 }  // namespace
 
 Course::Course(const Texts& texts, std::filesystem::path data_directory, Shell& shell,
@@ -58,6 +77,7 @@ Course::Course(const Texts& texts, std::filesystem::path data_directory, Shell& 
   shell_.on_navigate([this](const std::string& id) { show_place(id); });
   shell_.on_account([this] { show_account(); });
   shell_.on_sign_out([this] { sign_out(); });
+  shell_.on_hand([this](const HandPreferences& hand) { keep_hand(hand); });
   shell_.on_guide([](GuideSection section) { return std::make_unique<GuideScreen>(section); });
   ask_who();
 }
@@ -73,6 +93,7 @@ void Course::ask_who() {
 void Course::welcome(std::shared_ptr<SignedInSession> signed_in) {
   signed_in_ = std::move(signed_in);
   shell_.set_visitor(visitor_of(*signed_in_));
+  shell_.set_hand(hand_from(signed_in_->hand_settings()));
   answer_drafts_ = std::make_shared<InboxScreen::Drafts>();
   made_replays_ = std::make_shared<MadeReplays>();
   count_questions();
@@ -169,10 +190,12 @@ void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind
       signed_in_, *this, OperationChoice{scenario, kind, guidance}, lend_hands()));
 }
 LendHands Course::lend_hands() const {
+  const HandPreferences& hand = shell_.hand();
   return [station = station_, id = shell_.preferences().device,
-          second = shell_.preferences().second_device](const HandStart& start,
-                                                       const Progress& progress) {
-    return station->lend(id, second, start, progress);
+          second = shell_.preferences().second_device,
+          own = simulator::HandChoice{hand.motion_scale, hand.force_share}](
+             const HandStart& start, const Progress& progress) {
+    return station->lend({id, second, own}, start, progress);
   };
 }
 void Course::fly() { shell_.push(std::make_unique<FlightScreen>(signed_in_, lend_hands())); }
@@ -216,6 +239,20 @@ void Course::acknowledge(std::shared_ptr<SignedInSession> signed_in,
       },
       // Where that failed it is told again.
       [](WorkEnd, const std::string&) {});
+}
+
+void Course::keep_hand(const HandPreferences& hand) {
+  if (!signed_in_) return;
+  shell_.background().start(
+      std::string(texts_.text("course.keeping_hand")),
+      [signed_in = signed_in_, kept = kept_from(hand)](WorkReport&) {
+        signed_in->in_turn(
+            [&](database::Session& session, auto&) { trainee_of(session).choose_hand(kept); });
+      },
+      [this, failed = std::string(texts_.text("course.hand_unkept"))](WorkEnd end,
+                                                                      const std::string& reason) {
+        if (end == WorkEnd::Failed) shell_.say({Meaning::Warn, failed, sentence_of(reason)});
+      });
 }
 
 // The session's end is written beside the window: other work may hold the session for a moment.

@@ -63,6 +63,8 @@ class Course : public Navigator {
   void acknowledge(std::shared_ptr<SignedInSession> signed_in, const database::Notice& notice);
   /// Of the devices that are chosen now.
   LendHands lend_hands() const;
+  /// Keeps at the person's desk how they hold the saw from now on.
+  void keep_hand(const HandPreferences& hand);
   void lock();
   void sign_out();
 

@@ -67,7 +67,6 @@ Preferences read_preferences(const fs::path& data_directory) {
   preferences.is_motion_reduced = flag(kept, "reduced_motion", preferences.is_motion_reduced);
   preferences.is_saw_heard = flag(kept, "saw_sound", preferences.is_saw_heard);
   preferences.captures_pointer = flag(kept, "captures_pointer", preferences.captures_pointer);
-  preferences.is_left_handed = flag(kept, "left_handed", preferences.is_left_handed);
   preferences.device = device(kept, "device", preferences.device);
   preferences.second_device = device(kept, "second_device", preferences.second_device);
   preferences.offered_flight = numbers(kept, "offered_flight");
@@ -83,7 +82,6 @@ void keep_preferences(const fs::path& data_directory, const Preferences& prefere
                           {"reduced_motion", preferences.is_motion_reduced},
                           {"saw_sound", preferences.is_saw_heard},
                           {"captures_pointer", preferences.captures_pointer},
-                          {"left_handed", preferences.is_left_handed},
                           {"device", preferences.device},
                           {"second_device", preferences.second_device},
                           {"offered_flight", preferences.offered_flight}};

@@ -15,16 +15,6 @@ constexpr std::chrono::milliseconds tick{1};
 /// As stiff as people call a wall, where the device renders it.
 constexpr double wall_newton_per_mm = 1.0, share_of_stiffness = 0.5;
 
-/// What of it may be felt here; nothing where it has no motors, or none of it.
-std::optional<simulator::DeviceLimits> limits_of(const simulator::DevicePort& port,
-                                                 double force_share) {
-  std::optional<simulator::DeviceLimits> limits = port.description().limits;
-  if (!limits || force_share <= 0.0) return std::nullopt;
-  limits->force_newton *= force_share;
-  limits->continuous_force_newton *= force_share;
-  return limits;
-}
-
 }  // namespace
 
 void Reach::add(const Vec3& grip_mm) noexcept {
@@ -64,7 +54,7 @@ void FeltDevice::run(const std::stop_token& stop) noexcept {
     const simulator::PortState& state = port_->newest();
     const bool has_begun =
         state.phase == simulator::PortPhase::Running && felt.phase != state.phase;
-    if (has_begun) limits = limits_of(*port_, force_share_);
+    if (has_begun) limits = limits_at_share(port_->description().limits, force_share_);
     felt.phase = state.phase;
     felt.fraction = state.fraction;
     felt.said = state.said;

@@ -27,9 +27,10 @@ void bring_home(simulator::Station& station, const simulator::FoundDevice& devic
 
 std::unique_ptr<simulator::LentDevice> lend_hand(const std::shared_ptr<simulator::Station>& station,
                                                  const simulator::FoundDevice& device,
+                                                 const simulator::HandChoice& own,
                                                  const HandStart& start) {
   auto lent = lend(station, device.id,
-                   setup_of(*station, device, start.world_from_tool, start.world_from_view));
+                   setup_of(*station, device, own, start.world_from_tool, start.world_from_view));
   if (!lent) throw DeviceRefused({DeviceTrouble::Unplugged, device.address, {}}, device);
   return lent;
 }

@@ -42,10 +42,11 @@ using LendHands = std::function<LentHands(const HandStart& start, const Progress
 void bring_home(simulator::Station& station, const simulator::FoundDevice& device,
                 const Progress& progress);
 
-/// Lends one that was brought home.
+/// Lends one that was brought home, held as its person chose.
 /// errors  DeviceRefused
 std::unique_ptr<simulator::LentDevice> lend_hand(const std::shared_ptr<simulator::Station>& station,
                                                  const simulator::FoundDevice& device,
+                                                 const simulator::HandChoice& own,
                                                  const HandStart& start);
 
 }  // namespace hallux::ui

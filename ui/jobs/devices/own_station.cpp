@@ -1,5 +1,7 @@
 #include "ui/jobs/devices/own_station.h"
 
+#include <utility>
+
 #include "simulator/device/mouse.h"
 #include "ui/jobs/devices/devices_file.h"
 
@@ -28,26 +30,29 @@ std::shared_ptr<simulator::Station> OwnStation::get() {
   return station_;
 }
 
-void OwnStation::forget() {
+void OwnStation::read_again() {
+  simulator::StationSettings settings = read_devices(data_directory_);
   const std::lock_guard lock(mutex_);
-  station_.reset();
+  if (station_) station_->set(std::move(settings));
 }
 
-LentHands OwnStation::lend(const std::string& id, const std::string& second, const HandStart& start,
+LentHands OwnStation::lend(const ChosenHands& chosen, const HandStart& start,
                            const Progress& progress) {
-  LentHands hands{lend_saw(id, start, progress)};
-  if (!second.empty() && second != id) hands.second = lend_second(second, progress);
+  LentHands hands{lend_saw(chosen, start, progress)};
+  if (!chosen.second.empty() && chosen.second != chosen.saw)
+    hands.second = lend_second(chosen.second, progress);
   return hands;
 }
 
-std::unique_ptr<simulator::SteeredDevice> OwnStation::lend_saw(const std::string& id,
+std::unique_ptr<simulator::SteeredDevice> OwnStation::lend_saw(const ChosenHands& chosen,
                                                                const HandStart& start,
                                                                const Progress& progress) {
-  if (id == mouse_id) return std::make_unique<simulator::MouseDevice>(start.world_from_tool);
+  if (chosen.saw == mouse_id)
+    return std::make_unique<simulator::MouseDevice>(start.world_from_tool);
   const std::shared_ptr<simulator::Station> station = get();
-  const simulator::FoundDevice found = usable(*station, id);
+  const simulator::FoundDevice found = usable(*station, chosen.saw);
   bring_home(*station, found, progress);
-  return lend_hand(station, found, start);
+  return lend_hand(station, found, chosen.own, start);
 }
 
 std::unique_ptr<simulator::SecondHand> OwnStation::lend_second(const std::string& id,

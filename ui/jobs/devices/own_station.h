@@ -15,6 +15,15 @@ namespace hallux::ui {
 /// What operates where no device was chosen.
 inline constexpr std::string_view mouse_id = "mouse";
 
+/// With what somebody wants to operate, and how they hold it.
+struct ChosenHands {
+  /// Of the mouse, or of a device.
+  std::string saw;
+  /// Of a device for the other hand; empty: none.
+  std::string second = {};
+  simulator::HandChoice own = {};
+};
+
 /// thread  any
 class OwnStation {
  public:
@@ -25,18 +34,17 @@ class OwnStation {
 
   /// errors  FileRefused, scenarios::ScenarioError: what is set cannot be read
   std::shared_ptr<simulator::Station> get();
-  /// What is set has changed: whoever asks next has a station with it. What was lent goes on as it
-  /// was.
-  void forget();
+  /// What is set has changed: devices that are opened from now on have it.
+  /// errors  as get()
+  void read_again();
 
-  /// The mouse, or the device with that id once it was brought home; and that for the other hand.
-  /// second  its id; empty: none
+  /// What was chosen, once it was brought home.
   /// errors  as get(); DeviceRefused; Cancelled
-  LentHands lend(const std::string& id, const std::string& second, const HandStart& start,
-                 const Progress& progress);
+  LentHands lend(const ChosenHands& chosen, const HandStart& start, const Progress& progress);
 
  private:
-  std::unique_ptr<simulator::SteeredDevice> lend_saw(const std::string& id, const HandStart& start,
+  std::unique_ptr<simulator::SteeredDevice> lend_saw(const ChosenHands& chosen,
+                                                     const HandStart& start,
                                                      const Progress& progress);
   std::unique_ptr<simulator::SecondHand> lend_second(const std::string& id,
                                                      const Progress& progress);

@@ -73,6 +73,7 @@ constexpr auto deeds = std::to_array<Deed>({
     {"origin_unaccepted", "audit.origin_unaccepted"},
     {"limit_set", "audit.limit_set"},
     {"limit_cleared", "audit.limit_cleared"},
+    {"hand_chosen", "audit.hand_chosen"},
 });
 
 /// What may be refused: the names of the policy's actions.
@@ -118,6 +119,7 @@ constexpr auto tries = std::to_array<Deed>({
     {"accept_origin", "audit.accept_origin"},
     {"export_attempt", "audit.export_attempt"},
     {"import_attempt", "audit.import_attempt"},
+    {"choose_hand", "audit.choose_hand"},
     {"limit_attempts", "audit.limit_attempts"},
     {"compare_with_cohort", "audit.compare_with_cohort"},
 });

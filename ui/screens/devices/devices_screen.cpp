@@ -3,6 +3,7 @@
 // elsewhere. What is set for the station is an administrator's; a new station reads it.
 #include "ui/screens/devices/devices_screen.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -25,19 +26,22 @@ using simulator::FoundDevice;
 constexpr ListPageSpec page_spec{560.0F, 0.5F, 640.0F, 300.0F, 600.0F};
 constexpr double look_again_s = 0.5, felt_again_s = 0.03;
 constexpr float class_from = 420.0F;
-/// Wherever nothing else is set.
-constexpr double usual_motion = 1.0, usual_share = 1.0;
-
-/// What can be chosen of a setting.
+/// What can be chosen of a setting, for the station and by a person.
 struct Steps {
-  std::string_view key, label;
+  std::string_view key, label, own_label;
   std::array<double, 4> values;
   std::array<std::string_view, 4> words;
 };
-constexpr Steps motion_steps{
-    "motion_scale", "devices.motion", {0.5, 1.0, 1.5, 2.0}, {"× 0.5", "× 1", "× 1.5", "× 2"}};
-constexpr Steps force_steps{
-    "force_share", "devices.force", {0.0, 0.25, 0.5, 1.0}, {"0 %", "25 %", "50 %", "100 %"}};
+constexpr Steps motion_steps{"motion_scale",
+                             "devices.motion",
+                             "devices.own.motion",
+                             {0.5, 1.0, 1.5, 2.0},
+                             {"× 0.5", "× 1", "× 1.5", "× 2"}};
+constexpr Steps force_steps{"force_share",
+                            "devices.force",
+                            "devices.own.force",
+                            {0.0, 0.25, 0.5, 1.0},
+                            {"0 %", "25 %", "50 %", "100 %"}};
 
 /// The nearest.
 int step_of(const Steps& steps, double value) noexcept {
@@ -92,11 +96,36 @@ std::vector<RowColumn<FoundDevice>> columns_of(const Ui& ui, const std::string& 
   };
 }
 
+/// A label and a choice beside it; whether another was chosen.
+bool chosen_in_line(Ui& ui, Rect& rest, std::string_view label,
+                    std::span<const std::string_view> words, int& chosen) {
+  Rect line = take_top(rest, segmented_height, 10.0F);
+  const Rect track = take_right(line, std::min(segmented_width(ui, words), 0.7F * line.w));
+  ui.canvas().text_in(line, {Type::Small, ui.theme().text_secondary}, ui.text(label), true);
+  return segmented(ui, label, track, words, chosen);
+}
+
+/// As it is set for the station, or a person's own.
+void choose_own(Ui& ui, Rect& rest, const Steps& steps, std::optional<double>& own) {
+  std::array<std::string_view, 5> words{ui.text("devices.own.none")};
+  std::copy(steps.words.begin(), steps.words.end(), words.begin() + 1);
+  int chosen = own ? 1 + step_of(steps, *own) : 0;
+  if (!chosen_in_line(ui, rest, steps.own_label, words, chosen)) return;
+  own = chosen == 0 ? std::nullopt
+                    : std::optional(steps.values[static_cast<std::size_t>(chosen - 1)]);
+}
+
 }  // namespace
 
 const FoundDevice* DevicesScreen::chosen() const { return device_with(devices_, chosen_); }
 
+void DevicesScreen::leave(Shell&) {
+  is_left_ = true;
+  felt_.reset();
+}
+
 void DevicesScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  is_left_ = false;
   const PageHead head =
       course_head(ui, *signed_in_, ui.text("devices.title"), ui.text("devices.sentence"));
   const ListPage page(ui, "devices", head, content, page_spec);
@@ -188,24 +217,26 @@ void DevicesScreen::draw_choice(Ui& ui, Rect& rest, const Device& device,
 
 void DevicesScreen::draw_settings(Ui& ui, Rect& rest, const Device& device, Shell& shell) {
   const simulator::KindFacts& kind = facts_of(device.kind);
-  const simulator::DeviceSettings set_now =
-      station().settings().of(device.id, std::string(kind.id));
+  const simulator::Hold set_now =
+      hold_of(station().settings().of(device.id, std::string(kind.id)), {});
   const auto setting = [&](const Steps& steps, double value) {
     int chosen = step_of(steps, value);
     if (!signed_in_->person().is_administrator) {
       return fact_line(ui, rest, ui.text(steps.label),
                        steps.words[static_cast<std::size_t>(chosen)]);
     }
-    Rect line = take_top(rest, segmented_height, 10.0F);
-    const Rect track = take_right(line, std::min(segmented_width(ui, steps.words), 0.7F * line.w));
-    ui.canvas().text_in(line, {Type::Small, ui.theme().text_secondary}, ui.text(steps.label), true);
-    if (segmented(ui, steps.label, track, steps.words, chosen) && !setting_.is_running()) {
+    if (chosen_in_line(ui, rest, steps.label, steps.words, chosen) && !setting_.is_running()) {
       set(ui, shell, device, steps.key,
           fixed_text(steps.values[static_cast<std::size_t>(chosen)], 2));
     }
   };
-  setting(motion_steps, set_now.motion_scale.value_or(usual_motion));
-  if (kind.device_class != "rate") setting(force_steps, set_now.force_share.value_or(usual_share));
+  HandPreferences& hand = shell.hand();
+  setting(motion_steps, set_now.motion_scale);
+  choose_own(ui, rest, motion_steps, hand.motion_scale);
+  if (kind.device_class != "rate") {
+    setting(force_steps, set_now.force_share);
+    choose_own(ui, rest, force_steps, hand.force_share);
+  }
   take_top(rest, 6.0F);
 }
 
@@ -216,7 +247,7 @@ void DevicesScreen::set(Ui& ui, Shell& shell, const Device& device, std::string_
       shell, std::string(ui.text("devices.setting")),
       [own = own_, id = device.id, key = std::string(key), value](WorkReport&) {
         set_device(own->data_directory(), id, key, value);
-        own->forget();
+        own->read_again();
       },
       [this, &shell, failed = std::string(ui.text("devices.unset"))](WorkEnd end,
                                                                      const std::string& reason) {
@@ -229,18 +260,18 @@ void DevicesScreen::set(Ui& ui, Shell& shell, const Device& device, std::string_
 
 void DevicesScreen::open(Ui& ui, Shell& shell, const Device& device) {
   auto opened = std::make_shared<std::unique_ptr<FeltDevice>>();
-  const double share = station()
-                           .settings()
-                           .of(device.id, std::string(facts_of(device.kind).id))
-                           .force_share.value_or(usual_share);
+  const simulator::Hold hold =
+      hold_of(station().settings().of(device.id, std::string(facts_of(device.kind).id)),
+              {shell.hand().motion_scale, shell.hand().force_share});
   opening_.start(
       shell, std::string(ui.text("devices.opening")),
-      [opened, station = station_.value(), device, share](WorkReport&) {
+      [opened, station = station_.value(), device, share = hold.force_share](WorkReport&) {
         *opened = std::make_unique<FeltDevice>(station, device, share);
       },
       [this, opened](WorkEnd end, const std::string&) {
-        // Somebody may look at another meanwhile.
-        if (end == WorkEnd::Done && (*opened)->device().id == chosen_) felt_ = std::move(*opened);
+        // Somebody may look at another meanwhile, or elsewhere.
+        if (end == WorkEnd::Done && !is_left_ && (*opened)->device().id == chosen_)
+          felt_ = std::move(*opened);
       });
 }
 

@@ -23,7 +23,7 @@ class DevicesScreen : public Screen {
   GuideSection guide_section() const override { return GuideSection::Devices; }
   std::string_view navigation_id() const override { return "nav.devices"; }
   /// Somebody else wants it, or nobody looks: it is let go.
-  void leave(Shell&) override { felt_.reset(); }
+  void leave(Shell&) override;
   void draw(Ui& ui, const Rect& content, Shell& shell) override;
 
  private:
@@ -36,6 +36,7 @@ class DevicesScreen : public Screen {
   void draw_choice(Ui& ui, Rect& rest, const Device& device, Preferences& preferences) const;
   /// Why it cannot be used, and the line that mends it.
   void draw_trouble(Ui& ui, Rect& rest, const Device& device, Shell& shell) const;
+  /// What is set for the station, and what the person chose over it.
   void draw_settings(Ui& ui, Rect& rest, const Device& device, Shell& shell);
   void set(Ui& ui, Shell& shell, const Device& device, std::string_view key,
            const std::string& value);
@@ -50,8 +51,10 @@ class DevicesScreen : public Screen {
   std::vector<Device> devices_;
   std::string chosen_ = std::string(mouse_id);
   TableState table_;
-  /// While one is opened to be felt.
+  /// While one is felt.
   std::unique_ptr<FeltDevice> felt_;
+  /// Nobody looks any more: what is being opened is let go at once.
+  bool is_left_ = false;
   ScreenWork opening_, setting_;
 };
 

@@ -57,7 +57,7 @@ void OperatingField::hear(Ui& ui, Shell& shell) {
                  ui.time_s());
   if (session_.is_heard()) {
     hear_keys(ui);
-    hear_display_keys(ui, shell.preferences());
+    hear_display_keys(ui, shell);
   }
   Steered steered;
   if (session_.is_open()) {
@@ -83,7 +83,8 @@ void OperatingField::hear_keys(Ui& ui) {
   if (heard(Key::Escape, "operate.key.escape")) session_.pause(PausedBy::Person);
 }
 
-void OperatingField::hear_display_keys(Ui& ui, Preferences& preferences) {
+void OperatingField::hear_display_keys(Ui& ui, Shell& shell) {
+  Preferences& preferences = shell.preferences();
   const auto turn = [&](Key key, const char* id, bool& is_on) {
     if (ui.shortcut({key}, ui.text(id)) && !ui.is_key_held_on()) is_on = !is_on;
   };
@@ -96,7 +97,7 @@ void OperatingField::hear_display_keys(Ui& ui, Preferences& preferences) {
   turn(Key::H, "operate.key.hud", panels_.are_shown);
   turn(Key::M, "operate.key.sound", preferences.is_saw_heard);
   turn(Key::C, "operate.key.capture", preferences.captures_pointer);
-  turn(Key::K, "operate.key.hand", preferences.is_left_handed);
+  turn(Key::K, "operate.key.hand", shell.hand().is_left_handed);
 }
 
 /// Which cut holds is told in practice alone.
@@ -264,7 +265,7 @@ HudSources OperatingField::sources(const Texts& texts) const {
 OperatingHud OperatingField::hud(const Ui& ui, Shell& shell) {
   const simulator::ToolSample& sample = running_->view.sample;
   OperatingHud hud = hud_of(sources(ui.texts()), panels_.help.is_hinted);
-  hud.is_left_handed = shell.preferences().is_left_handed;
+  hud.is_left_handed = shell.hand().is_left_handed;
   hud.tip = viewport_.place_of(transform_from(sample.world_from_tool).translation_mm);
   hud.tool = viewport_.tool_places();
   hud.inset = inset(hud.way);

@@ -107,7 +107,7 @@ class OperatingField {
   };
 
   void hear_keys(Ui& ui);
-  void hear_display_keys(Ui& ui, Preferences& preferences);
+  void hear_display_keys(Ui& ui, Shell& shell);
   void take_up_step(const Texts& texts);
   /// Leads the saw by what was steered, or sets the hand down.
   void lead(Ui& ui, const AreaResponse& area, const Steered& steered);

@@ -11,6 +11,16 @@
 
 namespace hallux::ui {
 
+namespace {
+
+/// Of somebody who may not sit at any desk: the usual.
+database::HandSettings hand_settings_of(database::Session& session) {
+  std::optional<database::TraineeDesk> desk = session.trainee();
+  return desk ? desk->hand_settings() : database::HandSettings{};
+}
+
+}  // namespace
+
 SignedInSession::SignedInSession(
     database::Database opened, const std::function<database::Session(database::Database&)>& come_in)
     : database_(std::move(opened)),
@@ -18,6 +28,7 @@ SignedInSession::SignedInSession(
       person_(session_.person()),
       memberships_(session_.memberships()),
       notices_(session_.notices()),
+      hand_settings_(hand_settings_of(session_)),
       idle_lock_s_(60.0 * database::read_idle_lock_min(database_)),
       is_simulated_(database::is_simulated_course(database_)) {}
 

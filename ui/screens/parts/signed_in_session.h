@@ -30,6 +30,7 @@ class SignedInSession {
   const database::Person& person() const noexcept { return person_; }
   const std::vector<database::Membership>& memberships() const noexcept { return memberships_; }
   const std::vector<database::Notice>& notices() const noexcept { return notices_; }
+  const database::HandSettings& hand_settings() const noexcept { return hand_settings_; }
   double idle_lock_s() const noexcept { return idle_lock_s_; }
   /// The course, with all in it.
   bool is_simulated() const noexcept { return is_simulated_; }
@@ -51,6 +52,7 @@ class SignedInSession {
   database::Person person_;
   std::vector<database::Membership> memberships_;
   std::vector<database::Notice> notices_;
+  database::HandSettings hand_settings_;
   double idle_lock_s_ = 0.0;
   bool is_simulated_ = false;
 };

@@ -81,16 +81,14 @@ void AccountScreen::draw_lock(Ui& ui, Rect& rest, Shell& shell) {
   }
 }
 
-/// The window's, whoever sits before it.
-void AccountScreen::draw_hand(Ui& ui, Rect& rest, Preferences& preferences) {
+void AccountScreen::draw_hand(Ui& ui, Rect& rest, HandPreferences& hand) {
   const std::array<std::string_view, 2> labels{ui.text("account.hand.right"),
                                                ui.text("account.hand.left")};
   Rect line = take_top(rest, segmented_height, 10.0F);
   const Rect track = take_right(line, std::min(segmented_width(ui, labels), 0.7F * line.w));
   ui.canvas().text_in(line, {Type::Small, ui.theme().text_secondary}, ui.text("account.hand"));
-  int chosen = preferences.is_left_handed ? 1 : 0;
-  if (segmented(ui, "account.hand", track, labels, chosen))
-    preferences.is_left_handed = chosen == 1;
+  int chosen = hand.is_left_handed ? 1 : 0;
+  if (segmented(ui, "account.hand", track, labels, chosen)) hand.is_left_handed = chosen == 1;
 }
 
 void AccountScreen::set_lock(Ui& ui, Shell& shell, std::int32_t minutes) {
@@ -118,7 +116,7 @@ void AccountScreen::draw_person(Ui& ui, Rect rest, Shell& shell) {
     fact_line(ui, rest, ui.text("account.times"),
               ui.texts().say("account.times.value", {{"offset", offset_text(now->offset_min)}}));
   draw_lock(ui, rest, shell);
-  draw_hand(ui, rest, shell.preferences());
+  draw_hand(ui, rest, shell.hand());
   const ButtonSpec take{ui.text("account.export"), ButtonLook::Secondary};
   if (button_in_line(ui, "account.export", take_bottom(rest, button_height, 12.0F), take))
     exporting_.open();

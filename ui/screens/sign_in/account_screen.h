@@ -32,7 +32,7 @@ class AccountScreen : public Screen {
   /// When windows lock: a fact, and for administrators a choice.
   void draw_lock(Ui& ui, Rect& rest, Shell& shell);
   /// On which sides the panels of an operation lie.
-  static void draw_hand(Ui& ui, Rect& rest, Preferences& preferences);
+  static void draw_hand(Ui& ui, Rect& rest, HandPreferences& hand);
   void set_lock(Ui& ui, Shell& shell, std::int32_t minutes);
 
   std::shared_ptr<SignedInSession> signed_in_;

@@ -117,9 +117,13 @@ void Shell::apply_preferences(Ui& ui) {
 }
 
 void Shell::tell_preferences() {
-  if (preferences_ == told_preferences_) return;
-  told_preferences_ = preferences_;
-  if (on_preferences_) on_preferences_(preferences_);
+  const auto tell = [](const auto& now, auto& told, const auto& listener) {
+    if (now == told) return;
+    told = now;
+    if (listener) listener(now);
+  };
+  tell(preferences_, told_preferences_, on_preferences_);
+  tell(hand_, told_hand_, on_hand_);
 }
 
 void Shell::draw(Ui& ui, ScenePainter& scenes) {

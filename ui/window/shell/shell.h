@@ -40,8 +40,6 @@ struct Preferences {
   bool is_saw_heard = true;
   /// While somebody operates the mouse is the saw's alone.
   bool captures_pointer = true;
-  /// Panels that a right hand would cover change sides.
-  bool is_left_handed = false;
   /// The id of what operates: "mouse", or a device of this station.
   std::string device = "mouse";
   /// Of the other hand, which turns what the first holds, or the view; empty: none.
@@ -50,6 +48,16 @@ struct Preferences {
   std::vector<std::int64_t> offered_flight = {};
 
   friend bool operator==(const Preferences&, const Preferences&) = default;
+};
+/// How the person who is signed in holds the saw; it is theirs, wherever they sign in.
+struct HandPreferences {
+  /// Panels that a right hand would cover change sides.
+  bool is_left_handed = false;
+  /// Millimetres of the saw for one of the hand, and how much of a device's force is felt at most;
+  /// none: as it is set for the station.
+  std::optional<double> motion_scale = std::nullopt, force_share = std::nullopt;
+
+  friend bool operator==(const HandPreferences&, const HandPreferences&) = default;
 };
 inline constexpr float smallest_scale = 0.8F, largest_scale = 2.0F;
 
@@ -123,6 +131,11 @@ class Shell {
   void on_preferences(std::function<void(const Preferences&)> action) {
     on_preferences_ = std::move(action);
   }
+  HandPreferences& hand() noexcept { return hand_; }
+  /// What this person chose before: no change to be told of.
+  void set_hand(const HandPreferences& hand) noexcept { hand_ = told_hand_ = hand; }
+  /// Called after the frame in which somebody chose otherwise.
+  void on_hand(std::function<void(const HandPreferences&)> action) { on_hand_ = std::move(action); }
   /// The content scale that the desktop asks for on this display; the person's multiplies it.
   void set_display_scale(float scale) noexcept { display_scale_ = scale; }
 
@@ -174,6 +187,8 @@ class Shell {
   Messages messages_;
   Preferences preferences_, told_preferences_;
   std::function<void(const Preferences&)> on_preferences_;
+  HandPreferences hand_, told_hand_;
+  std::function<void(const HandPreferences&)> on_hand_;
   float display_scale_ = 1.0F;
   std::optional<Rect> person_menu_;
   bool is_help_shown_ = false;

@@ -123,7 +123,8 @@ TEST(InverseMessage, VersionsAreRead) {
     EXPECT_FALSE(inverse_version(page)) << page;
   }
   EXPECT_FALSE(inverse_version(std::string(100000, '[')));
-  EXPECT_LT((Version{3, 0}), (Version{3, 1}));
+  EXPECT_TRUE((Version{3, 0}).is_before({3, 1}));
+  EXPECT_FALSE((Version{4, 0}).is_before({3, 5}));
 }
 
 }  // namespace

@@ -76,5 +76,17 @@ TEST(StationSettings, ADevicesOwnComeBeforeItsKinds) {
   EXPECT_FALSE(settings.of("space_mouse", "space_mouse").motion_scale);
 }
 
+TEST(StationSettings, APersonNeverFeelsMoreForceThanTheStationAllows) {
+  DeviceSettings set;
+  EXPECT_EQ(hold_of(set, {}).force_share, 1.0);
+  EXPECT_EQ(hold_of(set, {1.5, 0.5}).force_share, 0.5);
+  set.force_share = 0.25;
+  set.motion_scale = 2.0;
+  EXPECT_EQ(hold_of(set, {}).motion_scale, 2.0);
+  EXPECT_EQ(hold_of(set, {1.5, 0.5}).motion_scale, 1.5);
+  EXPECT_EQ(hold_of(set, {1.5, 0.5}).force_share, 0.25);
+  EXPECT_EQ(hold_of(set, {1.5, 0.1}).force_share, 0.1);
+}
+
 }  // namespace
 }  // namespace hallux::simulator

@@ -45,6 +45,23 @@ std::vector<std::string> actions_in(const Driver& driver) {
   return ids;
 }
 
+TEST(Course, HowSomebodyHoldsTheSawComesAndGoesWithThem) {
+  database::SomeCourse course;
+  AtWindow first(course);
+  first.sign_in("ada");
+  EXPECT_EQ(first.window.shell().hand(), HandPreferences{});
+  first.window.shell().hand() = {true, 1.5, 0.25};
+  first.driver().frame();
+  first.window.finish_work();
+  first.window.shell().set_hand({});
+  AtWindow second(course);
+  second.sign_in("bob");
+  EXPECT_EQ(second.window.shell().hand(), HandPreferences{});
+  AtWindow third(course);
+  third.sign_in("ada");
+  EXPECT_EQ(third.window.shell().hand(), (HandPreferences{true, 1.5, 0.25}));
+}
+
 TEST(Course, TellsWhatHappenedMeanwhileUntilItWasSeen) {
   database::SomeCourse course;
   course.administrator().set_password("ada", database::secret(good_password), cheap);

@@ -42,7 +42,6 @@ Preferences unusual() {
   Preferences preferences{ThemeName::Light, 1.3F, true, true, false};
   preferences.offered_flight = {3, 17};
   preferences.captures_pointer = false;
-  preferences.is_left_handed = true;
   return preferences;
 }
 

@@ -204,9 +204,9 @@ TEST_F(ShownHelp, TheNeighbourGoesAndComesWithN) {
 
 TEST_F(ShownHelp, KTurnsThePanelsToTheOtherHandAndIsAPreference) {
   const Rect before = person_.driver().widget("operate.panel.force").rect;
-  ASSERT_FALSE(person_.shell().preferences().is_left_handed);
+  ASSERT_FALSE(person_.shell().hand().is_left_handed);
   person_.press(Key::K);
-  EXPECT_TRUE(person_.shell().preferences().is_left_handed);
+  EXPECT_TRUE(person_.shell().hand().is_left_handed);
   const Rect after = person_.driver().widget("operate.panel.force").rect;
   EXPECT_NEAR(after.x, 1440.0F - before.right(), 0.6F);
   person_.press(Key::K);

@@ -160,14 +160,14 @@ TEST(AccountScreen, AnExportIntoAFolderThatHoldsSomethingIsRefusedAndSaid) {
 TEST(AccountScreen, TheHandOnTheSawIsChosenThereByMouseAndByKeys) {
   database::SomeCourse course;
   AtAccount at(course);
-  const Preferences& preferences = at.visitor.shell().preferences();
-  ASSERT_FALSE(preferences.is_left_handed);
+  const HandPreferences& hand = at.visitor.shell().hand();
+  ASSERT_FALSE(hand.is_left_handed);
   at.driver().click("account.hand.1");
-  EXPECT_TRUE(preferences.is_left_handed);
+  EXPECT_TRUE(hand.is_left_handed);
   at.driver().press(Key::Left);
   EXPECT_EQ(at.driver().focused(), "account.hand.0");
   at.driver().press(Key::Space);
-  EXPECT_FALSE(preferences.is_left_handed);
+  EXPECT_FALSE(hand.is_left_handed);
 }
 
 }  // namespace
