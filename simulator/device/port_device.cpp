@@ -33,12 +33,18 @@ const SteeredDevice::Aim& HeardAim::read(std::int64_t tick) noexcept {
   return said.aim;
 }
 
+HeardPort::Heard HeardPort::hear(std::int64_t tick) noexcept {
+  Port& port = *port_.load(std::memory_order_acquire);
+  const Heard heard{port, port.newest(), aim_.read(tick), ticks_to_follow(tick, tick_)};
+  tick_ = tick;
+  return heard;
+}
+
 ArmDevice::ArmDevice(Port& port, const PortDeviceSetup& setup)
-    : port_(&port),
+    : port_(port, resting_in(setup)),
       setup_(setup),
       described_(described(port, setup)),
       turns_(described_.measures_rotation),
-      aim_(resting_in(setup)),
       placing_(setup.frame),
       switches_(setup.buttons),
       world_from_saw_(setup.world_from_start) {}
@@ -47,11 +53,7 @@ DeviceDescription ArmDevice::description() const { return described_; }
 
 bool ArmDevice::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                          RawDeviceState& state) noexcept {
-  Port& port = *port_.load(std::memory_order_acquire);
-  const Aim& aim = aim_.read(tick);
-  const PortState& said = port.newest();
-  const std::int64_t ticks = ticks_to_follow(tick, tick_);
-  tick_ = tick;
+  const auto& [port, said, aim, ticks] = port_.hear(tick);
   // Another port numbers its packets anew: for a tick the device was away.
   const bool is_exchanged = held_by_ != nullptr && held_by_ != &port;
   if (said.phase != PortPhase::Running || is_exchanged) {
@@ -65,7 +67,7 @@ bool ArmDevice::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
   // Nothing said is no force: the port lets go by itself, and begins softly.
   if (!placing_.is_lifted())
     port.say(glm::conjugate(setup_.frame.world_from_device) * force_in_world_newton);
-  if (aim_.is_silent(tick)) switches_.release();
+  if (port_.is_silent(tick)) switches_.release();
   state = {world_from_saw_, switches_.combined(said.said.buttons, aim.switches, aim.orders),
            said.packet};
   return true;
@@ -94,9 +96,8 @@ void ArmDevice::place(const DriverState& said, const Aim& aim, std::int64_t tick
 }
 
 RateDevice::RateDevice(Port& port, const PortDeviceSetup& setup)
-    : port_(&port),
+    : port_(port, resting_in(setup)),
       described_(described(port, setup)),
-      aim_(resting_in(setup)),
       control_(setup.world_from_start),
       hand_(setup.world_from_start),
       switches_(setup.buttons) {}
@@ -105,13 +106,9 @@ DeviceDescription RateDevice::description() const { return described_; }
 
 bool RateDevice::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                           RawDeviceState& state) noexcept {
-  Port& port = *port_.load(std::memory_order_acquire);
-  const Aim& aim = aim_.read(tick);
-  const PortState& said = port.newest();
-  const std::int64_t ticks = ticks_to_follow(tick, tick_);
-  tick_ = tick;
+  const auto& [port, said, aim, ticks] = port_.hear(tick);
   const bool is_there = said.phase == PortPhase::Running;
-  if (!is_there || aim_.is_silent(tick)) switches_.release();
+  if (!is_there || port_.is_silent(tick)) switches_.release();
   for (std::int64_t i = 0; i < ticks; ++i) {
     control_.advance(is_there ? said.said.deflection : Deflection{}, aim.world_from_view);
     hand_.follow(control_.world_from_hand(), aim.unyielding_in_world, force_in_world_newton);

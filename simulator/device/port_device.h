@@ -49,6 +49,35 @@ class HeardAim {
   std::int64_t heard_tick_ = 0;
 };
 
+/// What a device of a port reads before each exchange; the port may become another one's meanwhile.
+class HeardPort {
+ public:
+  HeardPort(Port& port, const SteeredDevice::Aim& first) : port_(&port), aim_(first) {}
+
+  struct Heard {
+    Port& port;
+    const PortState& said;
+    const SteeredDevice::Aim& aim;
+    /// Since the last exchange.
+    std::int64_t ticks = 0;
+  };
+
+  /// thread  haptic
+  Heard hear(std::int64_t tick) noexcept;
+  /// The window that led it says nothing any more.
+  bool is_silent(std::int64_t tick) const noexcept { return aim_.is_silent(tick); }
+  /// The old port outlives the device.
+  /// thread  any
+  void go_on_with(Port& port) noexcept { port_.store(&port, std::memory_order_release); }
+  /// thread  window
+  void aim(const SteeredDevice::Aim& aim) noexcept { aim_.write(aim); }
+
+ private:
+  std::atomic<Port*> port_;
+  HeardAim aim_;
+  std::int64_t tick_ = -1;
+};
+
 struct PortDeviceSetup {
   /// Where the saw is when it begins.
   RigidTransform world_from_start;
@@ -66,8 +95,8 @@ class ArmDevice final : public SteeredDevice {
   /// Goes on with another port of the same device, which was away: softly, from where the saw is.
   /// The old one outlives the device.
   /// thread  any
-  void go_on_with(Port& port) noexcept { port_.store(&port, std::memory_order_release); }
-  void aim(const Aim& aim) noexcept override { aim_.write(aim); }
+  void go_on_with(Port& port) noexcept { port_.go_on_with(port); }
+  void aim(const Aim& aim) noexcept override { port_.aim(aim); }
   Led led() const noexcept override { return turns_ ? Led::Nothing : Led::Rotation; }
   DeviceDescription description() const override;
   bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
@@ -77,18 +106,16 @@ class ArmDevice final : public SteeredDevice {
   RigidTransform device_from_hand(const DriverState& said) const noexcept;
   void place(const DriverState& said, const Aim& aim, std::int64_t ticks) noexcept;
 
-  std::atomic<Port*> port_;
+  HeardPort port_;
   PortDeviceSetup setup_;
   DeviceDescription described_;
   /// Its grip has a rotation of its own.
   bool turns_;
-  HeardAim aim_;
   Placing placing_;
   SwitchBoard switches_;
   RigidTransform world_from_saw_;
   /// With which it was exchanged last; nullptr: it begins, or was gone.
   Port* held_by_ = nullptr;
-  std::int64_t tick_ = -1;
 };
 
 class RateDevice final : public SteeredDevice {
@@ -97,21 +124,19 @@ class RateDevice final : public SteeredDevice {
   RateDevice(Port& port, const PortDeviceSetup& setup);
 
   /// thread  any
-  void go_on_with(Port& port) noexcept { port_.store(&port, std::memory_order_release); }
-  void aim(const Aim& aim) noexcept override { aim_.write(aim); }
+  void go_on_with(Port& port) noexcept { port_.go_on_with(port); }
+  void aim(const Aim& aim) noexcept override { port_.aim(aim); }
   Led led() const noexcept override { return Led::Nothing; }
   DeviceDescription description() const override;
   bool exchange(const Vec3& force_in_world_newton, std::int64_t tick,
                 RawDeviceState& state) noexcept override;
 
  private:
-  std::atomic<Port*> port_;
+  HeardPort port_;
   DeviceDescription described_;
-  HeardAim aim_;
   RateControl control_;
   CoupledHand hand_;
   SwitchBoard switches_;
-  std::int64_t tick_ = -1;
 };
 
 }  // namespace hallux::simulator

@@ -23,6 +23,8 @@ PreparedCase prepare_case(const scenarios::Scenario& scenario, const StageProgre
 
 database::WriterLease begin_live(database::Database& database, database::TraineeDesk& desk,
                                  const LiveBegin& begin, const simulator::Bone& bone) {
+  CHECK(begin.kind == database::AttemptKind::Practice ||
+        begin.force_law == simulator::ForceLaw::Simulated);
   database::NewAttempt begun;
   begun.scenario = begin.scenario;
   begun.person = begin.person;
@@ -49,13 +51,11 @@ std::optional<double> force_scale_of(const simulator::HapticDevice& device,
 
 LiveAttempt::LiveAttempt(std::shared_ptr<const PreparedCase> prepared_case,
                          const database::Database& database, database::WriterLease lease,
-                         std::unique_ptr<simulator::HapticDevice> device,
-                         simulator::Guidance guidance, std::string second_device)
-    : CommandedLoop(force_scale_of(*device, *prepared_case, guidance)),
+                         std::unique_ptr<simulator::HapticDevice> device, LiveBegin begun)
+    : CommandedLoop(force_scale_of(*device, *prepared_case, begun.guidance)),
       prepared_case_(std::move(prepared_case)),
-      guidance_(guidance),
+      begun_(std::move(begun)),
       device_(std::move(device)),
-      second_device_(std::move(second_device)),
       attempt_(lease.attempt()),
       directory_(database.directory()) {
   say({simulator::CommandKind::Start, 0, 0});
@@ -128,8 +128,9 @@ void LiveAttempt::operate(const database::Database& database, database::WriterLe
   database::Recorder recorder(database, std::move(lease), channels_,
                               database::FullDisk::IsWaitedFor);
   simulator::AttemptSetup setup{simulation_setup(prepared_case_->scenario, prepared_case_->bone,
-                                                 prepared_case_->plan, guidance_)};
+                                                 prepared_case_->plan, begun_.guidance)};
   setup.pacing = simulator::Pacing::RealTime;
+  setup.force_law = begun_.force_law;
   setup.last_tick = ticks_at_most;
   setup.watch = &watch();
   setup.whole = prepared_case_->whole.get();
@@ -145,7 +146,7 @@ void LiveAttempt::operate(const database::Database& database, database::WriterLe
   if (!is_finished) return;
   Quality quality = quality_of(end_.loop, end_.recorder);
   quality.device = device_->facts();
-  quality.second_device = second_device_;
+  quality.second_device = begun_.second_device;
   end_.recorder = recorder.finish(quality_json(quality));
   end_.is_sealed = true;
 }

@@ -49,6 +49,8 @@ struct LiveBegin {
   database::PersonId person;
   database::AttemptKind kind = database::AttemptKind::Practice;
   simulator::Guidance guidance = simulator::Guidance::None;
+  /// What an arm is made to feel; another than the simulated one in practice only.
+  simulator::ForceLaw force_law = simulator::ForceLaw::Simulated;
   std::string stereo_mode = "mono";
   /// As the device's description says it.
   std::string device_class = {};
@@ -57,6 +59,7 @@ struct LiveBegin {
 };
 
 /// Stores the bone and begins the attempt.
+/// needs   an assessment feels the simulated force
 /// errors  DatabaseError: Refused; BadInput where the scenario is not published; Full, ReadOnly ...
 database::WriterLease begin_live(database::Database& database, database::TraineeDesk& desk,
                                  const LiveBegin& begin, const simulator::Bone& bone);
@@ -73,10 +76,11 @@ class LiveAttempt final : public CommandedLoop {
   static constexpr std::int64_t ticks_at_most = 60 * 60 * 1000;
 
   /// Starts loop and recorder, with the clock running.
+  /// begun   as it was begun
   /// needs   `prepared_case` outlives it
   LiveAttempt(std::shared_ptr<const PreparedCase> prepared_case, const database::Database& database,
               database::WriterLease lease, std::unique_ptr<simulator::HapticDevice> device,
-              simulator::Guidance guidance, std::string second_device = {});
+              LiveBegin begun);
   /// Stops it where it still runs; what was recorded is committed.
   ~LiveAttempt() override;
   LiveAttempt(const LiveAttempt&) = delete;
@@ -112,9 +116,8 @@ class LiveAttempt final : public CommandedLoop {
   void fail(LiveFailure failure, const char* reason) noexcept;
 
   std::shared_ptr<const PreparedCase> prepared_case_;
-  simulator::Guidance guidance_;
+  LiveBegin begun_;
   std::unique_ptr<simulator::HapticDevice> device_;
-  std::string second_device_;
   simulator::AttemptChannels channels_;
   NotedViews noted_views_{channels_.display_facts};
   database::AttemptId attempt_;

@@ -13,11 +13,11 @@ class SomeNavigator : public Navigator {
   void brief(database::ScenarioVersionId scenario) override {
     asked.push_back("brief " + std::to_string(scenario.number));
   }
-  void operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
-               simulator::Guidance guidance) override {
-    std::string what = kind == database::AttemptKind::Assessment ? "assess " : "practise ";
-    if (guidance != simulator::Guidance::None)
-      what += "guided by " + std::string(database::name_of(guidance)) + " ";
+  void operate(database::ScenarioVersionId scenario, const WayToOperate& way) override {
+    std::string what = way.kind == database::AttemptKind::Assessment ? "assess " : "practise ";
+    if (way.guidance != simulator::Guidance::None)
+      what += "guided by " + std::string(database::name_of(way.guidance)) + " ";
+    if (way.feels_historic_law) what += "by the historic law ";
     asked.push_back(what + std::to_string(scenario.number));
   }
   void fly() override { asked.emplace_back("fly"); }

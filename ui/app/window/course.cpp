@@ -182,12 +182,11 @@ void Course::show_place(std::string_view id) {
 void Course::brief(database::ScenarioVersionId scenario) {
   shell_.push(std::make_unique<BriefingScreen>(signed_in_, *this, pictures_, scenario));
 }
-void Course::operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
-                     simulator::Guidance guidance) {
+void Course::operate(database::ScenarioVersionId scenario, const WayToOperate& way) {
   // An operation needs the memory that replays of the expert take, 30 to 70 MB each.
   made_replays_ = std::make_shared<MadeReplays>();
-  shell_.push(std::make_unique<OperatingScreen>(
-      signed_in_, *this, OperationChoice{scenario, kind, guidance}, lend_hands()));
+  shell_.push(std::make_unique<OperatingScreen>(signed_in_, *this, OperationChoice{scenario, way},
+                                                lend_hands()));
 }
 LendHands Course::lend_hands() const {
   const HandPreferences& hand = shell_.hand();

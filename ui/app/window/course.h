@@ -25,8 +25,7 @@ class Course : public Navigator {
   Course& operator=(const Course&) = delete;
 
   void brief(database::ScenarioVersionId scenario) override;
-  void operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
-               simulator::Guidance guidance) override;
+  void operate(database::ScenarioVersionId scenario, const WayToOperate& way) override;
   void fly() override;
   void show_result(const database::AttemptId& attempt) override;
   void show_replay(const database::AttemptId& attempt, double moment_s) override;

@@ -308,7 +308,10 @@ const BladeSection* OperatingField::inset(const std::optional<WayAhead>& way) {
 OperatingHealth OperatingField::health(const Ui& ui, Shell& shell) {
   const simulator::LoopView& loop = running_->view;
   panels_.limits.observe(loop.force_limits, ui.time_s());
-  OperatingHealth health = health_of(loop, running_->loop.force_scale(), panels_.limits.bits());
+  // Whoever took over from an arm is pushed by nothing.
+  const bool pushes = running_->device.led() != simulator::SteeredDevice::Led::Pose;
+  OperatingHealth health =
+      health_of(loop, pushes ? running_->loop.force_scale() : std::nullopt, panels_.limits.bits());
   health.frame_ms = viewport_.frame_ms();
   health.triangles = static_cast<long>(shell.scenes().triangles());
   const std::string_view trouble = trouble_of(loop, running_->bone.has_failed());

@@ -40,7 +40,7 @@ OperatingScreen::OperatingScreen(std::shared_ptr<SignedInSession> signed_in, Nav
       navigator_(navigator),
       choice_(choice),
       lend_hands_(std::move(lend_hands)),
-      field_(choice.kind, choice.guidance) {}
+      field_(choice.way.kind, choice.way.guidance) {}
 
 std::string_view OperatingScreen::why_not_leave() const {
   const auto staying = session().staying();
@@ -85,8 +85,10 @@ void OperatingScreen::prepare(Ui& ui, Shell& shell) {
 LiveBegin OperatingScreen::what_to_begin() const {
   return {.scenario = choice_.scenario,
           .person = signed_in_->person().id,
-          .kind = choice_.kind,
-          .guidance = choice_.guidance,
+          .kind = choice_.way.kind,
+          .guidance = choice_.way.guidance,
+          .force_law = choice_.way.feels_historic_law ? simulator::ForceLaw::Thesis
+                                                      : simulator::ForceLaw::Simulated,
           .stereo_mode = name_of(field_.viewport().stereo_mode())};
 }
 

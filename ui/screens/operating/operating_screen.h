@@ -15,8 +15,7 @@ namespace hallux::ui {
 /// What somebody chose to operate.
 struct OperationChoice {
   database::ScenarioVersionId scenario;
-  database::AttemptKind kind = database::AttemptKind::Practice;
-  simulator::Guidance guidance = simulator::Guidance::None;
+  WayToOperate way = {};
 };
 
 class OperatingScreen : public Screen {

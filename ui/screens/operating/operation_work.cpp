@@ -103,7 +103,7 @@ std::unique_ptr<LiveAttempt> begin_operation(SignedInSession& signed_in,
     database::TraineeDesk desk = desk_of(session);
     database::WriterLease lease = begin_live(database, desk, what, prepared_case->bone);
     return std::make_unique<LiveAttempt>(std::move(prepared_case), database, std::move(lease),
-                                         std::move(device), what.guidance, what.second_device);
+                                         std::move(device), std::move(what));
   });
 }
 

@@ -13,15 +13,22 @@
 
 namespace hallux::ui {
 
+/// How an attempt is begun. Guide and law are chosen for a practice only.
+struct WayToOperate {
+  database::AttemptKind kind = database::AttemptKind::Practice;
+  simulator::Guidance guidance = simulator::Guidance::None;
+  /// An arm lets the hand feel the thesis's law where teeth touch bone, for the lesson.
+  bool feels_historic_law = false;
+};
+
 class Navigator {
  public:
   virtual ~Navigator() = default;
 
   /// What an operation is about, before it is begun.
   virtual void brief(database::ScenarioVersionId scenario) = 0;
-  /// Begins an attempt; the briefing is left for it. A guide leads in practice only.
-  virtual void operate(database::ScenarioVersionId scenario, database::AttemptKind kind,
-                       simulator::Guidance guidance) = 0;
+  /// Begins an attempt; the briefing is left for it.
+  virtual void operate(database::ScenarioVersionId scenario, const WayToOperate& way) = 0;
   /// The first flight: lessons on a block, of which nothing is kept.
   virtual void fly() = 0;
   /// The score of an attempt with all that led to it.

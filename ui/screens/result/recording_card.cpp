@@ -5,10 +5,13 @@
 #include <cmath>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "simulator/device/station/device_kind.h"
 #include "ui/screens/operating/hud/operating_health.h"
 #include "ui/widgets/controls/card.h"
+#include "ui/widgets/texts/number_text.h"
 
 namespace hallux::ui {
 
@@ -62,6 +65,39 @@ void add_arm_lines(std::vector<RecordingLine>& lines, const Texts& texts, const 
                                                       : "result.recording.law.simulated"))});
 }
 
+std::string device_text(const Texts& texts, const ResultFacts& facts) {
+  const std::string& device_class = facts.header.begun.device_class;
+  if (!facts.quality->device) return device_class;
+  return texts.say("result.recording.device.of",
+                   {{"model", facts.quality->device->model}, {"class", device_class}});
+}
+
+/// Of a device that was plugged in: how far it can be trusted, and how it was held.
+void add_device_lines(std::vector<RecordingLine>& lines, const Texts& texts,
+                      const Quality& quality) {
+  const auto add = [&](std::string_view id, std::string value) {
+    lines.push_back({texts.text(id), std::move(value)});
+  };
+  if (quality.device) {
+    const simulator::PortFigures& figures = quality.device->figures;
+    const auto whole = [](double value) { return grouped(std::lround(value)); };
+    add("result.recording.answers",
+        texts.say("result.recording.answers.of", {{"half", whole(figures.round_trip_p50_us)},
+                                                  {"most", whole(figures.round_trip_p99_us)}}));
+    add("result.recording.packets",
+        texts.say("result.recording.packets.of",
+                  {{"all", grouped(static_cast<long>(figures.packets))},
+                   {"late", grouped(static_cast<long>(figures.late_packets))},
+                   {"bad", grouped(static_cast<long>(figures.bad_packets))}}));
+    add("result.recording.motion", "× " + fixed_text(quality.device->motion_scale, 2));
+    add("result.recording.calibrated", clock_text(figures.calibration_age_s));
+    if (figures.own_force_scale)
+      add("result.recording.own_scale", whole(100.0 * *figures.own_force_scale) + " %");
+  }
+  if (const simulator::KindFacts* second = simulator::kind_named(quality.second_device))
+    add("result.recording.second", std::string(second->name));
+}
+
 std::vector<RecordingLine> lines_of(const Texts& texts, const ResultFacts& facts) {
   const Quality& quality = *facts.quality;
   const database::RecordingCertificate& certificate = quality.certificate;
@@ -71,7 +107,7 @@ std::vector<RecordingLine> lines_of(const Texts& texts, const ResultFacts& facts
   const auto count = [](std::int64_t number) { return grouped(static_cast<long>(number)); };
   std::vector<RecordingLine> lines{
       {texts.text("result.recording.valid"), validity_text(texts, facts)},
-      {texts.text("result.recording.device"), facts.header.begun.device_class},
+      {texts.text("result.recording.device"), device_text(texts, facts)},
       {texts.text("result.recording.samples"),
        texts.say("result.recording.samples.of", {{"kept", count(certificate.received_samples)},
                                                  {"all", count(certificate.expected_samples)}})},
@@ -81,6 +117,7 @@ std::vector<RecordingLine> lines_of(const Texts& texts, const ResultFacts& facts
       {texts.text("result.recording.priority"), granted(certificate.has_priority)},
       {texts.text("result.recording.memory"), granted(certificate.has_locked_memory)}};
   add_arm_lines(lines, texts, quality);
+  add_device_lines(lines, texts, quality);
   return lines;
 }
 

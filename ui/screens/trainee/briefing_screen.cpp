@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 
+#include "ui/jobs/devices/device_sentences.h"
 #include "ui/screens/parts/attempt_desks.h"
 #include "ui/screens/parts/page.h"
 #include "ui/screens/trainee/briefing_text.h"
@@ -19,7 +20,7 @@ namespace hallux::ui {
 namespace {
 
 constexpr float picture_share = 0.48F, stacked_picture = 300.0F, least_body = 420.0F;
-constexpr float head_room = 84.0F, watch_gap = 14.0F;
+constexpr float head_room = 84.0F, watch_gap = 14.0F, law_height = 38.0F;
 constexpr float words_frame = 2.0F * space::card + tabs_height + 20.0F;  // of the card around them
 
 std::array<std::string_view, 2> kind_labels(const Ui& ui) {
@@ -31,6 +32,11 @@ constexpr std::array<simulator::Guidance, 3> guidances{
 
 std::array<std::string_view, 3> guidance_labels(const Ui& ui) {
   return {ui.text("brief.guide.none"), ui.text("brief.guide.soft"), ui.text("brief.guide.slot")};
+}
+
+bool is_arm(std::string_view device) noexcept {
+  const simulator::KindFacts* kind = kind_of_device(device);
+  return kind != nullptr && kind->device_class.starts_with("arm");
 }
 
 std::array<std::string_view, 3> tab_labels(const Ui& ui) {
@@ -57,6 +63,7 @@ void BriefingScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
 }
 
 void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
+  has_arm_ = is_arm(shell.preferences().device);
   const float margin = page_margin(content), width = content.w - 2.0F * margin;
   const bool is_stacked = are_panes_stacked(width);
   const float start = start_height(ui, is_stacked ? width : width * picture_share);
@@ -165,7 +172,8 @@ bool BriefingScreen::may_begin() const {
 float BriefingScreen::start_height(const Ui& ui, float width) const {
   const float words =
       ui.paragraph_height(Type::Small, choice_text(ui), width - 2.0F * space::side_card);
-  const float choices = (kind_ == 0 ? 2.0F : 1.0F) * (segmented_height + 14.0F);
+  const float choices = (kind_ == 0 ? 2.0F : 1.0F) * (segmented_height + 14.0F) +
+                        (kind_ == 0 && has_arm_ ? law_height : 0.0F);
   return space::side_card + choices + std::max(40.0F, words) + 14.0F + button_height +
          watch_height(ui, width - 2.0F * space::side_card) + space::side_card;
 }
@@ -177,6 +185,10 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
     segmented(ui, "brief.guide", take_top(inside, segmented_height, 14.0F), guidance_labels(ui),
               guidance_);
   }
+  if (kind_ == 0 && has_arm_) {
+    toggle(ui, "brief.law", inset(take_top(inside, law_height), 0.0F, 7.0F), ui.text("brief.law"),
+           feels_historic_law_);
+  }
   const Rect watch = take_bottom(inside, watch_height(ui, inside.w));
   const Rect foot = take_bottom(inside, button_height, 14.0F);
   ui.canvas().paragraph(inside, {Type::Small, ui.theme().text_secondary}, choice_text(ui));
@@ -187,10 +199,11 @@ void BriefingScreen::draw_start(Ui& ui, const Rect& rect) {
   if (button(ui, "brief.begin", {foot.x, foot.y, width, foot.h}, begin)) {
     // What was chosen for a practice means nothing for an assessment.
     const bool is_practice = kind_ == 0;
-    navigator_.operate(
-        scenario_,
-        is_practice ? database::AttemptKind::Practice : database::AttemptKind::Assessment,
-        is_practice ? guidances[static_cast<std::size_t>(guidance_)] : simulator::Guidance::None);
+    navigator_.operate(scenario_, is_practice
+                                      ? WayToOperate{database::AttemptKind::Practice,
+                                                     guidances[static_cast<std::size_t>(guidance_)],
+                                                     has_arm_ && feels_historic_law_}
+                                      : WayToOperate{database::AttemptKind::Assessment});
   }
   draw_watch(ui, watch);
 }

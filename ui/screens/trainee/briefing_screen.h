@@ -57,6 +57,10 @@ class BriefingScreen : public Screen {
   int tab_ = 0, kind_ = 0;
   /// Of practice: none, soft, slot.
   int guidance_ = 0;
+  /// Of practice with an arm.
+  bool feels_historic_law_ = false;
+  /// An arm was chosen to operate with.
+  bool has_arm_ = false;
   /// As they were drawn last.
   float words_height_ = 0.0F;
   BoneViewport stage_;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/screens/operating/some_operation.h"
+#include "ui/jobs/recording_quality.h"
 #include "ui/screens/operating/operation_work.h"
 #include "ui/screens/pictures/shown_camera.h"
 
@@ -91,6 +92,18 @@ TEST_F(LiveAttempts, ThatIsGuidedIsKeptAsOneAndReplaysBitForBit) {
   EXPECT_TRUE(replay_attempt(material, no_progress)->is_identical);
   material.header.begun.guidance = simulator::Guidance::None;
   EXPECT_FALSE(replay_attempt(material, no_progress)->is_identical);
+}
+
+TEST_F(LiveAttempts, APracticeMayLetAnArmFeelTheHistoricLaw) {
+  what_.force_law = simulator::ForceLaw::Thesis;
+  const std::unique_ptr<LiveAttempt> live =
+      begin_operation(*signed_in_, prepared_case_, what_,
+                      std::make_unique<LooseCable>(start_pose(*prepared_case_)));
+  ASSERT_TRUE(soon([&] { return live->view().lines > 0; }));
+  live->finish();
+  ASSERT_TRUE(soon([&] { return live->end() != nullptr; }));
+  EXPECT_EQ(quality_from_json(course_.attempt().quality_json)->force_law,
+            simulator::ForceLaw::Thesis);
 }
 
 TEST_F(LiveAttempts, KeepWhatWasOnTheScreen) {

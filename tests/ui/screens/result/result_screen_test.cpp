@@ -387,6 +387,36 @@ TEST(ResultScreen, WhoDecidesReadsHowItWasRecorded) {
   EXPECT_FALSE(trainee.driver().sees("How it was recorded"));
 }
 
+TEST(RecordingCard, SaysOfADeviceHowItAnsweredAndHowItWasHeld) {
+  const Texts texts = english_texts();
+  ResultFacts facts;
+  facts.header.begun.device_class = "arm3";
+  facts.quality = Quality{};
+  facts.quality->force_scale = 0.18;
+  Driver driver(texts, [&](Ui& ui) {
+    draw_recording_card(ui, {0.0F, 0.0F, 900.0F, recording_card_height(ui, facts, 900.0F)}, facts);
+  });
+  EXPECT_FALSE(driver.sees("Device answered in"));
+  simulator::DeviceFacts device{"inverse3", "Haply Inverse3", "arm3", "libwebsockets", 1.5, {}};
+  device.figures.packets = 61'234;
+  device.figures.late_packets = 12;
+  device.figures.round_trip_p50_us = 48.4;
+  device.figures.round_trip_p99_us = 105.6;
+  device.figures.calibration_age_s = 75.0;
+  facts.quality->device = device;
+  driver.frame();
+  for (const char* words :
+       {"Haply Inverse3 (arm3)", "48 µs, 99 % in 106 µs", "12 late, 0 bad", "× 1.50", "1:15"})
+    EXPECT_TRUE(driver.sees(words)) << words;
+  EXPECT_FALSE(driver.sees("Force by its own service"));
+  EXPECT_FALSE(driver.sees("In the other hand"));
+  facts.quality->device->figures.own_force_scale = 0.5;
+  facts.quality->second_device = "space_mouse";
+  driver.frame();
+  EXPECT_TRUE(driver.sees("50 %"));
+  EXPECT_TRUE(driver.sees("3Dconnexion SpaceMouse"));
+}
+
 TEST(RecordingCard, SaysWhetherAnArmPushedAndWhatHeldItBack) {
   const Texts texts = english_texts();
   ResultFacts facts;

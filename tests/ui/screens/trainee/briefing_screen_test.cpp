@@ -46,6 +46,22 @@ TEST(BriefingScreen, SaysWhyAndWhatAndThatNoSurgeonReviewedIt) {
   }
 }
 
+TEST(BriefingScreen, WhoHoldsAnArmMayFeelTheHistoricLawInPractice) {
+  SomePublished published;
+  Briefed briefed(published);
+  EXPECT_FALSE(briefed.driver().has("brief.law")) << "a mouse is pushed by nothing";
+  briefed.visitor.shell().preferences().device = "falcon-A1";
+  briefed.driver().frame();
+  briefed.driver().click("brief.law");
+  briefed.driver().click("brief.begin");
+  briefed.driver().click("brief.kind.1");
+  EXPECT_FALSE(briefed.driver().has("brief.law"));
+  briefed.driver().click("brief.begin");
+  EXPECT_THAT(briefed.navigator.asked,
+              ElementsAre(asked("practise by the historic law", published.akin()),
+                          asked("assess", published.akin())));
+}
+
 TEST(BriefingScreen, ShowsTheStepsAndWhatIsScored) {
   SomePublished published;
   Briefed briefed(published);
