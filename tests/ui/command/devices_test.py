@@ -117,6 +117,10 @@ class Several(ServedTest):
         self.assertLessEqual({"falcon-A1", "falcon-B2"}, found.keys())
         mice = [name for name in found if name.startswith("space_mouse-S@")]
         self.assertEqual(len(set(mice)), 2, found.keys())
+        for mouse in mice:
+            self.assertIsNone(self.try_out(mouse, "--seconds", "0.5")["fault"])
+            lit = [device["lights"] for device in json.loads(self.report_file().read_text()) if device["name"] == "space_mouse"]
+            self.assertEqual(sorted(lit), [[], [True, False]], "one of them, and not the other")
 
 
 class Settings(CommandTest):

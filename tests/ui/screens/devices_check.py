@@ -71,7 +71,7 @@ def begin_practice(hand):
 
 
 def is_running(person):
-    return "operate.resume" not in person.widgets() and "operate.lost.mouse" not in person.widgets()
+    return "operate.go_on" not in person.widgets() and "operate.lost.mouse" not in person.widgets()
 
 
 def operate(hand, person, bus, place, take_picture):

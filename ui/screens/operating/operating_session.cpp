@@ -150,7 +150,8 @@ void OperatingSession::answer(Decided decided, double now_s) {
     return end_attempt(!is_finished, now_s);
   }
   if (decided == Decided::Act) end_step();
-  if (!was_paused) go_on();
+  // A device may have come back meanwhile.
+  if (!was_paused || pausing_.by() == PausedBy::DeviceLost) go_on();
 }
 
 void OperatingSession::end_attempt(bool is_abandoned, double now_s) {

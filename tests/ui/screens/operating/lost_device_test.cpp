@@ -103,6 +103,20 @@ TEST_F(LostDevice, InAnAssessmentNobodyTakesOverAndGivenUpItIsInterrupted) {
   EXPECT_EQ(course_.newest_attempt().state, AttemptState::Interrupted);
 }
 
+TEST_F(LostDevice, OneThatComesBackWhileSomethingIsAskedGoesOnWithTheAnswer) {
+  operate(AttemptKind::Assessment);
+  pull("operate.lost.abandon");
+  person_->click("operate.lost.abandon");
+  ASSERT_TRUE(person_->until([&] { return has("operate.ask_abandon.keep"); }));
+  *is_out_ = false;
+  person_->make_frames(30);
+  person_->click("operate.ask_abandon.keep");
+  EXPECT_TRUE(person_->until([&] { return !has("operate.ask_abandon.keep"); }));
+  person_->make_frames(3);
+  EXPECT_FALSE(has("operate.lost.abandon"));
+  EXPECT_FALSE(has("operate.go_on")) << "it runs";
+}
+
 TEST_F(LostDevice, OneThatCannotBeHadLeavesTheOperationReadyToBegin) {
   auto tries = std::make_shared<std::atomic<int>>(0);
   Operator person(course_, AttemptKind::Practice, 1.0F, {1440.0F, 900.0F}, nullptr,
