@@ -27,8 +27,10 @@ using scenarios::Scenario;
 
 constexpr std::size_t sentence_limit = 3;
 
-/// A claim has no unit: its value is 1 where it holds.
-bool is_claim(const std::string& unit) noexcept { return unit.empty(); }
+/// A count and a share have no unit.
+std::string with_unit(std::string number, const std::string& unit) {
+  return unit.empty() ? number : number + " " + unit;
+}
 
 std::string direction_clause(const MetricWording& wording, const Measurement& measurement) {
   if (measurement.direction.empty() || wording.lean[0] == '\0') return "";
@@ -38,7 +40,7 @@ std::string direction_clause(const MetricWording& wording, const Measurement& me
 std::string metric_clause(const RubricItem& item, const Measurement& measurement, bool is_loss) {
   const std::string value = value_text(measurement.value, item.unit);
   const scenarios::MetricName* metric = scenarios::find_metric(item.metric);
-  if (metric == nullptr || metric->unit.empty()) return item.title + ": " + value;
+  if (metric == nullptr || metric->is_claim) return item.title + ": " + value;
   const MetricWording& wording = metric->wording;
   const bool is_zero = measurement.value == 0.0 && wording.at_zero[0] != '\0';
   std::string text = is_zero ? wording.at_zero : wording.subject + value + wording.tail;
@@ -64,9 +66,9 @@ std::string loss_clause(const SaidLine& said) {
 std::string target_clause(const RubricItem& item) {
   if (item.is_band) {
     return "(full points from " + short_number_text(item.full_low) + " to " +
-           short_number_text(item.full_high) + " " + item.unit + ")";
+           with_unit(short_number_text(item.full_high), item.unit) + ")";
   }
-  return "(full points to " + short_number_text(item.full) + " " + item.unit + ")";
+  return "(full points to " + with_unit(short_number_text(item.full), item.unit) + ")";
 }
 
 /// With one cut the sentence needs no name; with several each says which it is about.
@@ -112,9 +114,9 @@ std::string damping_sentence(const SaidLine& said) {
 
 /// "Title: 1.50 mm (limit 1 mm)", or of a claim the title alone.
 std::string gate_finding(const Gate& gate, double value) {
-  if (is_claim(gate.unit)) return gate.title;
+  if (scenarios::is_claim(gate.metric)) return gate.title;
   return gate.title + ": " + value_text(value, gate.unit) + " (limit " +
-         short_number_text(gate.limit) + " " + gate.unit + ")";
+         with_unit(short_number_text(gate.limit), gate.unit) + ")";
 }
 
 std::string gate_sentence(const Gate& gate, const SaidLine& said) {
@@ -128,9 +130,9 @@ std::string gate_sentence(const Gate& gate, const SaidLine& said) {
 std::string gate_text(const GateResult& result, const Gate& gate, bool is_measured) {
   const std::string cap = "the score is capped at " + points_text(gate.cap_milli);
   if (!is_measured) return gate.title + ": not measured.";
-  if (is_claim(gate.unit))
+  if (scenarios::is_claim(gate.metric))
     return gate.title + (result.is_triggered ? ": yes; " + cap : ": no") + ".";
-  const std::string limit = short_number_text(gate.limit) + " " + gate.unit;
+  const std::string limit = with_unit(short_number_text(gate.limit), gate.unit);
   const std::string value = gate.title + ": " + value_text(result.value, gate.unit);
   if (result.is_triggered) return value + ", above the limit of " + limit + "; " + cap + ".";
   return value + ", within the limit of " + limit + ".";

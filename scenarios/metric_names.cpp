@@ -64,18 +64,18 @@ constexpr std::array<MetricName, 14> metrics{{
      "mm",
      Hinge,
      {"The blade went ", " past the far cortex", "", "", "The blade stayed inside the far cortex"}},
-    {Metric::HingeLost, "hinge_lost", "", Hinge},
-    {Metric::PieceOut, "piece_out", "", Piece},
-    {Metric::WedgeClosed, "wedge_closed", "", Closing},
+    {Metric::HingeLost, "hinge_lost", "", Hinge, {}, true},
+    {Metric::PieceOut, "piece_out", "", Piece, {}, true},
+    {Metric::WedgeClosed, "wedge_closed", "", Closing, {}, true},
 }};
 
-/// Each metric has its row, at its place, and every one that has a unit has words.
+/// Each metric has its row, at its place, and every one that is no claim has words.
 constexpr bool is_whole() {
   if (metrics.size() != static_cast<std::size_t>(Metric::Count)) return false;
   for (std::size_t place = 0; place < metrics.size(); ++place) {
     const MetricName& row = metrics[place];
     if (static_cast<std::size_t>(row.metric) != place || row.name.empty()) return false;
-    if (!row.unit.empty() && row.wording.subject[0] == '\0') return false;
+    if (row.is_claim == (row.wording.subject[0] != '\0')) return false;
   }
   return true;
 }
@@ -89,6 +89,11 @@ const MetricName* find_metric(std::string_view name) noexcept {
   const auto found = std::find_if(metrics.begin(), metrics.end(),
                                   [&](const MetricName& metric) { return metric.name == name; });
   return found == metrics.end() ? nullptr : &*found;
+}
+
+bool is_claim(std::string_view name) noexcept {
+  const MetricName* metric = find_metric(name);
+  return metric != nullptr && metric->is_claim;
 }
 
 std::string_view name_of(Metric metric) noexcept {

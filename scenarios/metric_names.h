@@ -57,10 +57,12 @@ struct MetricName {
   Metric metric = Metric::Count;
   /// The id in rubrics and score cards; its last word is the unit.
   std::string_view name;
-  /// Empty for a claim, whose value is 1 where it holds and which is said by the item's title.
+  /// Empty for a claim, a count and a share.
   std::string_view unit;
   MetricSubject subject = MetricSubject::Cut;
   MetricWording wording = {};
+  /// Its value is 1 where it holds, and the item's title says it.
+  bool is_claim = false;
 };
 
 /// source  docs/metrics.md
@@ -69,5 +71,7 @@ std::span<const MetricName> known_metrics() noexcept;
 /// program.
 const MetricName* find_metric(std::string_view name) noexcept;
 std::string_view name_of(Metric metric) noexcept;
+/// Whether that metric is known, and a claim.
+bool is_claim(std::string_view name) noexcept;
 
 }  // namespace hallux::scenarios

@@ -136,14 +136,14 @@ void read_head(const JsonNode& node, Scenario& scenario) {
   scenario.name = node.at("name").name();
   scenario.title = read_title(node);
   scenario.version = node.at("version").integer(1, 1'000'000);
-  scenario.is_reviewed = node.at("reviewed").boolean();
-  scenario.reviewed_by = node.at("reviewed_by").text(0, title_bytes_max);
+  scenario.claims_review = node.at("reviewed").boolean();
+  const std::string reviewer = node.at("reviewed_by").text(0, title_bytes_max);
   scenario.indication = node.at("indication").text(1, text_bytes_max);
   scenario.summary = node.at("summary").text(1, text_bytes_max);
-  if (scenario.is_reviewed == scenario.reviewed_by.empty()) {
+  if (scenario.claims_review == reviewer.empty()) {
     node.at("reviewed_by")
-        .refuse_value(scenario.is_reviewed ? "name the surgeon who signed this version"
-                                           : "leave it empty until \"reviewed\" is true");
+        .refuse_value(scenario.claims_review ? "name the surgeon who signed this version"
+                                             : "leave it empty until \"reviewed\" is true");
   }
 }
 
@@ -204,11 +204,16 @@ Scenario read_scenario(const std::filesystem::path& file) {
   text.resize(static_cast<std::size_t>(stream.gcount()));
   Scenario scenario = parse_scenario(text, name);
   check_letters(text, name);
+  if (scenario.claims_review) {
+    throw ScenarioError(
+        name +
+        ": reviewed: a file cannot review itself; set it to false and leave reviewed_by empty");
+  }
   return scenario;
 }
 
 std::string review_label(const Scenario& scenario) {
-  return scenario.is_reviewed ? "reviewed by " + scenario.reviewed_by : "not surgeon-reviewed";
+  return scenario.is_reviewed ? "surgeon-reviewed" : "not surgeon-reviewed";
 }
 
 Scenario load_shipped_scenario(std::string_view name) {

@@ -195,9 +195,11 @@ struct Scenario {
   std::int32_t format = 1;
   std::string name, title;
   std::int32_t version = 1;
-  /// False is shown everywhere as "not surgeon-reviewed".
+  /// A surgeon signed this version in the program, which nobody can yet; false is shown everywhere
+  /// as "not surgeon-reviewed".
   bool is_reviewed = false;
-  std::string reviewed_by;
+  /// What a file of before says of itself; nobody believes it, and new ones are refused.
+  bool claims_review = false;
   std::string indication, summary;
   PatientRequest patient;
   /// With the numbers that the blade's box prints. Further tools that an operation lays out come
@@ -222,11 +224,11 @@ struct Scenario {
 ///         range, weights that do not add up, a reference to a cut or landmark name that does not
 ///         exist in the file
 Scenario parse_scenario(std::string_view json, std::string_view name);
-/// The scenario in a file of at most 256 KiB.
-/// errors  ScenarioError: as parse_scenario, and where the file cannot be read
+/// The scenario in a file of at most 256 KiB that somebody brings.
+/// errors  ScenarioError: as parse_scenario, where the file cannot be read, or claims a review
 Scenario read_scenario(const std::filesystem::path& file);
 
-/// "not surgeon-reviewed", or who reviewed it: shown wherever the scenario is seen.
+/// Whether a surgeon reviewed it, in words: shown wherever the scenario is seen.
 std::string review_label(const Scenario& scenario);
 
 /// The scenarios that come with the program, by name; and one of them.

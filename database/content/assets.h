@@ -26,6 +26,7 @@ struct ScenarioText {
   std::int32_t version = 1;
   /// Byte for byte as it was read.
   std::string json;
+  /// Its text says so of itself, which nobody believes.
   bool is_reviewed = false;
 };
 

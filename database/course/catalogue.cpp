@@ -15,8 +15,9 @@ namespace hallux::database {
 
 namespace {
 
+// What a text says of its own review is no review.
 constexpr const char* version_columns =
-    "SELECT v.scenario_version_id, v.name, v.version, v.is_reviewed, s.state, "
+    "SELECT v.scenario_version_id, v.name, v.version, 0 AS is_reviewed, s.state, "
     "coalesce(d.login, ''), s.since_utc, (SELECT count(*) FROM attempt a "
     "WHERE a.scenario_version_id = v.scenario_version_id) "
     "FROM scenario_version v JOIN scenario_state s ON s.scenario_state_id = "

@@ -56,6 +56,22 @@ inline constexpr std::tuple fields_of<ScoreCard>{
 
 std::string json_from_card(const ScoreCard& card) { return json_of(card).dump(); }
 
+namespace {
+
+ScoreCard without_words(ScoreCard card) {
+  for (LedgerLine& line : card.ledger) line.text.clear();
+  for (GateResult& gate : card.gates) gate.text.clear();
+  card.sentences.clear();
+  card.is_reviewed = false;
+  return card;
+}
+
+}  // namespace
+
+bool is_same_score(const ScoreCard& one, const ScoreCard& other) {
+  return json_from_card(without_words(one)) == json_from_card(without_words(other));
+}
+
 ScoreCard card_from_json(std::string_view json) {
   /// A card of the greatest shipped rubric has 20 KB.
   constexpr JsonBounds bounds{std::size_t{4} << 20U, 6};

@@ -11,6 +11,9 @@ namespace hallux::database {
 /// The same card gives the same bytes. Numbers that are not finite are written as null.
 std::string json_from_card(const ScoreCard& card);
 
+/// Words are no score: whether two cards differ in nothing but their sentences.
+bool is_same_score(const ScoreCard& one, const ScoreCard& other);
+
 /// errors  DatabaseError Damaged where the text is not a card; null numbers become 0
 ScoreCard card_from_json(std::string_view json);
 

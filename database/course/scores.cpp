@@ -36,6 +36,13 @@ Digest score_digest(std::string_view card_json, const AttemptId& attempt) noexce
 
 ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
                     std::optional<PersonId> actor) {
+  const std::optional<StoredScore> in_force = load_score(database, attempt);
+  if (in_force && is_same_score(in_force->card, card)) return in_force->id;
+  return store_score_as_it_was(database, attempt, card, actor);
+}
+
+ScoreId store_score_as_it_was(Database& database, const AttemptId& attempt, const ScoreCard& card,
+                              std::optional<PersonId> actor) {
   const AttemptHeader header = load_header(database, attempt);
   const std::string json = json_from_card(card);
   return in_transaction_of_caller(database, "store the score of attempt " + header.id.text, [&] {

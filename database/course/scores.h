@@ -21,10 +21,16 @@ struct StoredScore {
 };
 
 /// Stores the card as the score in force, with an audit row that holds its digest and `actor`
-/// (nobody: the house). The same card again stores nothing.
+/// (nobody: the house). A card that differs in nothing but its
+/// sentences stores nothing.
 /// errors  DatabaseError: NotFound; storage failures
 ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
                     std::optional<PersonId> actor = std::nullopt);
+
+/// The same of a card as it was in another directory: where only its sentences differ from those in
+/// force it is stored as well.
+ScoreId store_score_as_it_was(Database& database, const AttemptId& attempt, const ScoreCard& card,
+                              std::optional<PersonId> actor);
 
 /// What the audit keeps of a stored score: its card, and whose it is.
 Digest score_digest(std::string_view card_json, const AttemptId& attempt) noexcept;

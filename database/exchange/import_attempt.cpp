@@ -119,7 +119,7 @@ void replay_results(Database& database, const Manifest& manifest, std::int64_t o
   std::size_t stored = 0;
   const auto store_up_to = [&](std::size_t count) {
     for (; stored < count; ++stored) {
-      store_score(database, id, card_from_json(manifest.scores[stored].card_json), by);
+      store_score_as_it_was(database, id, card_from_json(manifest.scores[stored].card_json), by);
     }
   };
   for (const ExportedDecision& decision : manifest.decisions) {

@@ -1,5 +1,6 @@
 /// One SELECT reads a header everywhere: facts of the attempt, its scenario, the score and the
-/// decision in force, and its origin, in the order of the fields. Lists of many attempts are walked
+/// decision in force, the score that stands (the one that was signed, if any was), and its origin,
+/// in the order of the fields. Lists of many attempts are walked
 /// from the newest on instead of being gathered and sorted; of few that would be the longer way.
 #include "database/recording/attempts.h"
 
@@ -17,17 +18,18 @@ constexpr std::string_view header_columns =
     "SELECT a.uuid, a.scenario_version_id, a.person_id, a.hand, a.seed, a.device_class, a.pacing, "
     "a.stereo_mode, a.bone_digest, a.engine_version, a.kind, a.guidance, a.started_utc, a.state, "
     "a.duration_ticks, a.quality_json, a.seal, v.name, v.version, v.digest, d.login, "
-    "s.score_milli, a.is_simulated, "
+    "f.score_milli, a.is_simulated, "
     "CASE WHEN json_valid(a.quality_json) THEN json_extract(a.quality_json, '$.complete') END, "
     "a.attempt_id, s.measured_weight_milli < 100000, a.is_valid, r.kind, r.score_milli, "
-    "r.score_id = s.score_id, o.directory_uuid, o.is_accepted, s.rubric_version, "
+    "r.score_id = f.score_id, o.directory_uuid, o.is_accepted, s.rubric_version, "
     "s.measured_weight_milli, s.rubric_milli, s.safety_measured_milli, s.safety_earned_milli, "
     "s.is_gated "
     "FROM attempt a JOIN scenario_version v USING (scenario_version_id) "
     "LEFT JOIN person_detail d ON d.person_id = a.person_id "
     "LEFT JOIN origin o ON o.origin_id = a.origin_id "
-    "LEFT JOIN score s ON s.attempt_id = a.attempt_id AND s.superseded_by IS NULL "
-    "LEFT JOIN decision r ON r.attempt_id = a.attempt_id AND r.superseded_by IS NULL ";
+    "LEFT JOIN decision r ON r.attempt_id = a.attempt_id AND r.superseded_by IS NULL "
+    "LEFT JOIN score f ON f.attempt_id = a.attempt_id AND f.superseded_by IS NULL "
+    "LEFT JOIN score s ON s.score_id = coalesce(r.score_id, f.score_id) ";
 
 constexpr std::string_view is_of_cohort =
     " IN (SELECT person_id FROM membership WHERE cohort_id = ?2 AND role = 'trainee')";

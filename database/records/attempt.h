@@ -100,11 +100,12 @@ struct AttemptHeader {
   std::optional<Digest> seal;
   /// Of the machine's score in force, 0 to 100 000.
   std::optional<std::int64_t> score_milli;
-  /// That score was made with.
+  /// Of the score that stands: the one that was signed, else the one in force. What it was made
+  /// with.
   std::int32_t rubric_version = 0;
-  /// What that score's card says about passing.
+  /// What its card says about passing.
   PassFacts pass;
-  /// That score: not all of the rubric was measured.
+  /// Not all of the rubric was measured for it.
   bool is_partial = false;
   /// In force; nothing: the machine's score is advisory.
   std::optional<DecisionKind> decision;
@@ -120,7 +121,8 @@ struct AttemptHeader {
 
 /// Whether the result counts: an assessment of a person, with every sample, valid by its
 /// certificate and not from an origin that nobody accepted, and either confirmed where the whole
-/// rubric was measured, or overridden by an instructor.
+/// rubric was measured, or overridden by an instructor; signed for the score in force, and not for
+/// an earlier one.
 bool is_grade(const AttemptHeader& header) noexcept;
 
 }  // namespace hallux::database

@@ -3,10 +3,13 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "simulator/base/units.h"
+#include "tests/support/temporary_directory.h"
 
 namespace hallux::scenarios_test {
 std::span<const EmbeddedText> planted_faults() noexcept;
@@ -130,12 +133,27 @@ TEST(Scenario, EveryShippedOneGatesItsDeeds) {
   }
 }
 
-TEST(Scenario, SaysWhoReviewedItOrThatNobodyDid) {
-  Scenario silver = load_shipped_scenario("silver");
-  EXPECT_EQ(review_label(silver), "not surgeon-reviewed");
-  silver.is_reviewed = true;
-  silver.reviewed_by = "A. Surgeon";
-  EXPECT_EQ(review_label(silver), "reviewed by A. Surgeon");
+TEST(Scenario, AFileCannotReviewItself) {
+  std::string text = load_shipped_scenario("silver").text;
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace("\"reviewed\": false", "\"reviewed\": true");
+  replace("\"reviewed_by\": \"\"", "\"reviewed_by\": \"A. Surgeon\"");
+  const Scenario stored = parse_scenario(text, "silver.json");
+  EXPECT_TRUE(stored.claims_review) << "what was stored before is read";
+  EXPECT_EQ(review_label(stored), "not surgeon-reviewed");
+  const tests::TemporaryDirectory temporary;
+  const std::filesystem::path file = temporary.path() / "silver.json";
+  std::ofstream(file) << text;
+  try {
+    read_scenario(file);
+    ADD_FAILURE();
+  } catch (const ScenarioError& error) {
+    EXPECT_NE(std::string(error.what()).find("reviewed: a file cannot review itself"),
+              std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(Scenario, OfAnUnknownNameSaysWhichThereAre) {

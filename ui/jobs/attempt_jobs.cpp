@@ -39,7 +39,7 @@ database::NewAttempt describe(database::Database& database, const ScriptedAttemp
   const scenarios::Scenario& scenario = attempt.scenario;
   database::NewAttempt begun;
   begun.scenario = put_scenario_version(
-      database, {scenario.name, scenario.version, scenario.text, scenario.is_reviewed});
+      database, {scenario.name, scenario.version, scenario.text, scenario.claims_review});
   begun.hand = attempt.hand;
   begun.seed = attempt.seed;
   begun.guidance = attempt.guidance;

@@ -29,7 +29,7 @@ scenarios::Scenario scenario_of(const database::Manifest& manifest) {
       scenarios::parse_scenario(manifest.scenario.json, manifest.scenario.name);
   scenarios::check_letters(manifest.scenario.json, manifest.scenario.name);
   if (scenario.name != manifest.scenario.name || scenario.version != manifest.scenario.version ||
-      scenario.is_reviewed != manifest.scenario.is_reviewed) {
+      scenario.claims_review != manifest.scenario.is_reviewed) {
     throw DatabaseError{DatabaseErrorKind::BadInput,
                         "the manifest says something else of the scenario than its text does"};
   }

@@ -92,8 +92,7 @@ RescoredAttempt rescored(database::Database& database, const Listed& listed,
     attempt.fault = error.what();
     return attempt;
   }
-  attempt.is_changed = !attempt.before || database::json_from_card(*attempt.before) !=
-                                              database::json_from_card(*attempt.after);
+  attempt.is_changed = !attempt.before || !database::is_same_score(*attempt.before, *attempt.after);
   return attempt;
 }
 

@@ -40,8 +40,10 @@ std::string head_html(const ReportMaterial& material) {
          "</style></head>";
 }
 
-std::string marks_html(const ScoreCard& card) {
-  std::string html = "<p class=\"marks\"><span class=\"mark\">machine score, not confirmed</span>";
+std::string marks_html(const ReportMaterial& material) {
+  const ScoreCard& card = material.card;
+  std::string html =
+      "<p class=\"marks\"><span class=\"mark\">" + escaped(material.signature) + "</span>";
   if (!card.is_reviewed) html += "<span class=\"mark warn\">not surgeon-reviewed</span>";
   const std::string partial = partial_text(card);
   if (!partial.empty()) html += "<span class=\"mark warn\">" + escaped(partial) + "</span>";
@@ -59,7 +61,7 @@ std::string facts_html(const std::vector<Fact>& facts, const char* css_class) {
 
 std::string header_html(const ReportMaterial& material) {
   return "<header><p class=\"brand\">Hallux</p><h1>" + escaped(material.title) + "</h1>" +
-         marks_html(material.card) + facts_html(material.facts, "facts") + "</header>";
+         marks_html(material) + facts_html(material.facts, "facts") + "</header>";
 }
 
 std::string score_html(const ReportMaterial& material) {

@@ -58,7 +58,8 @@ constexpr std::array<std::string_view, database::stored_names<database::Invalidi
     "the machine slept, or its clock jumped",
     "the machine paused it for too much of the time",
     "too many ticks were missed",
-    "the device did not answer for too much of the time"};
+    "the device did not answer for too much of the time",
+    "the mouse took over from its device"};
 
 std::string validity_text(const AttemptHeader& header, const database::Verdict& verdict) {
   if (header.is_valid.value_or(true)) return "";
@@ -72,6 +73,17 @@ std::string validity_text(const AttemptHeader& header, const database::Verdict& 
 
 }  // namespace
 
+std::string signature_text(const AttemptHeader& header) {
+  if (!header.decision) return std::string(unsigned_score);
+  if (*header.decision == database::DecisionKind::Voided) return "set aside by an instructor";
+  const std::string points = assessment::points_text(header.decided_milli.value_or(0));
+  if (!header.decision_is_of_score_in_force)
+    return "signed for an earlier score, as " + points + "; no grade until it is signed anew";
+  return *header.decision == database::DecisionKind::Overridden
+             ? "set to " + points + " by an instructor"
+             : "confirmed by an instructor";
+}
+
 void add_titles(ReportMaterial& material, const scenarios::Scenario& scenario) {
   material.title = scenario.title;
   for (const scenarios::RubricGroup& group : scenario.rubric.groups) {
@@ -84,6 +96,7 @@ void add_titles(ReportMaterial& material, const scenarios::Scenario& scenario) {
 
 void add_attempt_facts(ReportMaterial& material, const AttemptHeader& header,
                        const database::Verdict& verdict) {
+  material.signature = signature_text(header);
   material.facts.push_back({"Operator", operator_text(header)});
   material.facts.push_back({"For", purpose_text(header)});
   material.facts.push_back({"Attempt", std::to_string(header.number)});

@@ -8,6 +8,9 @@
 
 namespace hallux::ui {
 
+/// Who stands for the score of that attempt, and whether for the one in force.
+std::string signature_text(const database::AttemptHeader& header);
+
 /// The scenario's titles: its own, its groups', its gates'.
 /// needs   the card was made with this scenario
 void add_titles(ReportMaterial& material, const scenarios::Scenario& scenario);

@@ -56,6 +56,9 @@ struct FrontalPicture {
   NamedPoint landmark;
 };
 
+/// Of a score for which nobody stands yet.
+inline constexpr std::string_view unsigned_score = "machine score, not confirmed";
+
 struct ReportMaterial {
   database::ScoreCard card;
   /// Of the scenario.
@@ -64,6 +67,8 @@ struct ReportMaterial {
   std::vector<std::string> group_titles;
   /// One per gate of the card.
   std::vector<std::string> gate_titles;
+  /// Who stands for the score, and whether for this one.
+  std::string signature = std::string(unsigned_score);
   /// Who, when, with what; in the order shown.
   std::vector<Fact> facts;
   /// One sentence; empty leaves the line out.

@@ -79,8 +79,9 @@ std::string group_row(const GroupScore& group, const ShownGroup& shown, const st
          "  " + points_text(shown.earned_milli) + " of " + points_text(shown.possible_milli) + "\n";
 }
 
-std::string marks_row(const ScoreCard& card) {
-  std::string row = "machine score, not confirmed";
+std::string marks_row(const ReportMaterial& material) {
+  const ScoreCard& card = material.card;
+  std::string row = printable(material.signature);
   if (!card.is_reviewed) row += "; not surgeon-reviewed";
   const std::string partial = partial_text(card);
   return partial.empty() ? row + "\n" : row + "; " + partial + "\n";
@@ -105,7 +106,7 @@ std::string score_sheet(const ReportMaterial& material) {
   const ScoreCard& card = material.card;
   const ShownPoints shown = assessment::shown_points(card);
   const double score = static_cast<double>(shown.score_milli) / 1000.0;
-  std::string sheet = printable(material.title) + "\n" + marks_row(card) + "\n";
+  std::string sheet = printable(material.title) + "\n" + marks_row(material) + "\n";
   sheet += "  Score " + assessment::number_text(score, 1) + " of 100\n\n";
   for (std::size_t index = 0; index < card.groups.size(); ++index) {
     const bool has_title = index < material.group_titles.size();
@@ -122,9 +123,11 @@ std::string score_sheet(const ReportMaterial& material) {
   return sheet;
 }
 
-std::string score_sheet(const ScoreCard& card, const scenarios::Scenario& scenario) {
+std::string score_sheet(const ScoreCard& card, const scenarios::Scenario& scenario,
+                        std::string_view signature) {
   ReportMaterial material;
   material.card = card;
+  material.signature = signature;
   add_titles(material, scenario);
   return score_sheet(material);
 }

@@ -12,6 +12,8 @@ namespace hallux::ui {
 /// codes.
 std::string score_sheet(const ReportMaterial& material);
 /// The same from a card, with the titles of its scenario.
-std::string score_sheet(const database::ScoreCard& card, const scenarios::Scenario& scenario);
+/// signature  who stands for it
+std::string score_sheet(const database::ScoreCard& card, const scenarios::Scenario& scenario,
+                        std::string_view signature = unsigned_score);
 
 }  // namespace hallux::ui

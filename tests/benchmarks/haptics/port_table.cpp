@@ -119,10 +119,11 @@ std::vector<double> force_to_packet_us() {
 
 std::vector<double> messages_us() {
   const std::string state =
-      R"({"inverse3":[{"device_id":"049D","state":{"cursor_position":{"x":0.01,"y":-0.12,"z":0.15},)"
-      R"("cursor_velocity":{"x":0,"y":0,"z":0},"current_cursor_force":{"x":0.5,"y":0,"z":-1}},)"
-      R"("status":{"calibrated":true}}],"wireless_verse_grip":[{"device_id":"61576","state":)"
-      R"({"orientation":{"w":1,"x":0,"y":0,"z":0},"buttons":{"a":false,"b":false,"c":false}}}]})";
+      R"({"inverse3":[{"device_id":"049D","state":{"cursor_position":{"x":0.01,"y":-0.12,)"
+      R"("z":0.15},"cursor_velocity":{"x":0,"y":0,"z":0},"current_cursor_force":{"x":0.5,)"
+      R"("y":0,"z":-1}},"status":{"calibrated":true}}],"wireless_verse_grip":[{"device_id":)"
+      R"("61576","state":{"orientation":{"w":1,"x":0,"y":0,"z":0},)"
+      R"("buttons":{"a":false,"b":false,"c":false}}}]})";
   std::vector<double> times_us(20'000);
   for (double& time_us : times_us) {
     const auto begun = Clock::now();

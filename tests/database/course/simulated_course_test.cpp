@@ -24,6 +24,7 @@ TEST(SimulatedCourse, MarksEveryAttemptMadeInIt) {
   header.is_complete = true;
   header.is_valid = true;
   header.decided_milli = 90'000;
+  header.decision_is_of_score_in_force = true;
   EXPECT_FALSE(is_grade(header));
   header.is_simulated = false;
   EXPECT_TRUE(is_grade(header)) << "so it was the mark that kept it from being one";

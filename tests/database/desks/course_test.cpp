@@ -6,13 +6,26 @@
 
 #include "database/audit/audit.h"
 #include "database/course/begin_attempt.h"
+#include "database/store/sql.h"
 #include "tests/database/some_course.h"
 
 namespace hallux::database {
 
 namespace {
 
-class Course : public testing::Test, protected SomeCourse {};
+class Course : public testing::Test, protected SomeCourse {
+ protected:
+  /// Closed, whole and valid by its certificate, without a score.
+  AttemptId valid_assessment_of(const std::string& login) {
+    NewAttempt attempt = attempt_of(login);
+    attempt.kind = AttemptKind::Assessment;
+    simulator::AttemptChannels channels{4096};
+    Recorder recorder{database(), create_attempt(database(), attempt), channels};
+    produce(some_recording(5), channels);
+    recorder.finish("{\"complete\": true}");
+    return recorder.attempt();
+  }
+};
 
 TEST_F(Course, ShowsATraineeThePublishedOperationsAndHowTheyStand) {
   scored_by("ada", 61'000);
@@ -222,6 +235,60 @@ TEST_F(Course, ConfirmsAndOverridesAndKeepsTheMachinesScore) {
   EXPECT_EQ(desk.header(id).decided_milli, 72'500);
 }
 
+TEST_F(Course, ASignatureBelongsToTheScoreThatItWasAbout) {
+  const AttemptId id = valid_assessment_of("ada");
+  InstructorDesk desk = instructor("kim", autumn());
+  const auto confirmed_milli = [&] {
+    return single<std::optional<std::int64_t>>(database(), "SELECT confirmed_milli FROM standing");
+  };
+  ScoreCard partial = card_worth(61'000);
+  partial.measured_milli = 58'000;
+  partial.rubric_version = 1;
+  store_score(database(), id, partial);
+  desk.decide({id, DecisionKind::Confirmed, 0, "as far as it goes"});
+  ScoreCard whole = card_worth(90'000);
+  whole.measured_milli = 100'000;
+  whole.rubric_version = 2;
+  store_score(database(), id, whole);
+  AttemptHeader header = desk.header(id);
+  EXPECT_FALSE(is_grade(header)) << "what was confirmed was partial, and is another score";
+  EXPECT_EQ(header.score_milli, 90'000);
+  EXPECT_EQ(header.decided_milli, 61'000);
+  EXPECT_EQ(header.rubric_version, 1) << "with the points stand what they were made with";
+  EXPECT_EQ(header.pass.measured_milli, 58'000);
+  EXPECT_TRUE(header.is_partial);
+  EXPECT_EQ(trainee("ada").operations()[0].standing.best_milli, 61'000);
+  EXPECT_FALSE(confirmed_milli());
+  desk.decide({id, DecisionKind::Confirmed, 0, "seen anew"});
+  header = desk.header(id);
+  EXPECT_TRUE(is_grade(header));
+  EXPECT_EQ(header.rubric_version, 2);
+  EXPECT_EQ(confirmed_milli(), 90'000);
+  whole.ledger.emplace_back().text = "words";
+  whole.ledger.back().weight_milli = 1;
+  store_score(database(), id, whole);
+  EXPECT_FALSE(is_grade(desk.header(id))) << "no override and no confirmation outlives its score";
+}
+
+TEST_F(Course, WordsAreNoScore) {
+  const AttemptId id = scored_by("ada", 61'000);
+  InstructorDesk desk = instructor("kim", autumn());
+  desk.decide({id, DecisionKind::Confirmed, 0, "seen"});
+  const auto said_otherwise = [&] {
+    ScoreCard card = load_score(database(), id)->card;
+    for (LedgerLine& line : card.ledger) line.text += " Said otherwise.";
+    for (GateResult& gate : card.gates) gate.text += " Said otherwise.";
+    card.sentences.emplace_back("Said otherwise.");
+    return card;
+  };
+  const std::size_t before = load_scores(database(), id).size();
+  store_score(database(), id, said_otherwise());
+  EXPECT_EQ(load_scores(database(), id).size(), before);
+  EXPECT_TRUE(desk.header(id).decision_is_of_score_in_force);
+  store_score_as_it_was(database(), id, said_otherwise(), std::nullopt);
+  EXPECT_EQ(load_scores(database(), id).size(), before + 1) << "of another directory all is kept";
+}
+
 TEST_F(Course, VoidsAnAttemptAndTakesItBack) {
   const AttemptId id = scored_by("ada", 61'000);
   InstructorDesk desk = instructor("kim", autumn());
@@ -260,13 +327,7 @@ TEST_F(Course, DecidesOnlyAboutWhatHasAResult) {
 }
 
 TEST_F(Course, CallsAGradeOnlyWhatAnInstructorStoodFor) {
-  NewAttempt attempt = attempt_of("ada");
-  attempt.kind = AttemptKind::Assessment;
-  simulator::AttemptChannels channels{4096};
-  Recorder recorder{database(), create_attempt(database(), attempt), channels};
-  produce(some_recording(5), channels);
-  recorder.finish("{\"complete\": true}");
-  const AttemptId id = recorder.attempt();
+  const AttemptId id = valid_assessment_of("ada");
   InstructorDesk desk = instructor("kim", autumn());
   ScoreCard card = card_worth(61'000);
   card.measured_milli = 99'000;

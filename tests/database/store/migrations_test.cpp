@@ -122,6 +122,8 @@ TEST(Migrations, OpenADatabaseOfSchemaSixInWhichNobodyChoseAHand) {
   EXPECT_EQ(number(database, "SELECT count(*) FROM display_fact"), 1);
   EXPECT_EQ(load_hand_settings(database, PersonId{2}), HandSettings{});
   EXPECT_EQ(verify(database).first_damage.value_or("none"), "none");
+  EXPECT_EQ(number(database, "SELECT count(*) FROM standing"),
+            number(database, "SELECT count(*) FROM standing_as_counted"));
   store_hand_settings(database, PersonId{2}, {true, 500, 250});
   EXPECT_EQ(load_hand_settings(database, PersonId{2}), (HandSettings{true, 500, 250}));
   EXPECT_EQ(verify(database).first_damage.value_or("none"), "none");

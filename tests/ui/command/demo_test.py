@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """`hallux demo`: a simulated course, marked as such, in a directory where nobody is; all of it or nothing."""
 
+import contextlib
 import json
 import os
 import pathlib
 import shutil
 import signal
+import sqlite3
 import unittest
 
 from hallux_command import INTERRUPTED, REFUSED, WRONG_USAGE, CommandTest
@@ -87,6 +89,25 @@ class Demo(CommandTest):
         [row] = self.as_("trainee-1", "attempts")
         self.assertEqual(row["decision"], "overridden")
         self.assertEqual(row["decided_score"], min(100, round(row["score"] + 5, 3)))
+        self.assertEqual(row["result"]["score"], row["decided_score"])
+        self.assertIs(row["signed_for_score_in_force"], True)
+
+    def test_a_signature_stays_with_its_score_and_is_no_grade_for_another(self):
+        signed = "attempt_id = (SELECT attempt_id FROM decision WHERE kind = 'overridden' LIMIT 1)"
+        self.alter(f"UPDATE attempt SET is_simulated = 0, is_valid = 1, hand = '', kind = 'assessment' WHERE {signed}")
+        [before] = self.as_("trainee-1", "attempts")
+        self.assertIs(before["grade"], True)
+        self.alter(f"UPDATE score SET superseded_by = 9999 WHERE superseded_by IS NULL AND {signed}")
+        self.alter("INSERT INTO score SELECT 9999, attempt_id, scenario_version, rubric_version + 1, engine_version, 99000, 100000, card_json, "
+                   "stored_utc, NULL, rubric_milli, 1, safety_measured_milli, safety_earned_milli FROM score WHERE superseded_by = 9999")
+        [after] = self.as_("trainee-1", "attempts")
+        self.assertEqual((after["score"], after["grade"], after["signed_for_score_in_force"]), (99.0, False, False))
+        self.assertEqual(after["result"], before["result"], "points, rubric, verdict and gates of what was signed")
+
+    def alter(self, statement):
+        """As another program may: nobody asks the audit."""
+        with contextlib.closing(sqlite3.connect(self.data / "hallux.db")) as database, database:
+            database.execute(statement)
 
     def test_it_is_told_of_the_past_in_the_order_of_the_audit(self):
         """But for the first act, which is of the day on which the directory was made."""

@@ -36,6 +36,11 @@ class Scenarios(CommandTest):
         self.expect_refusal(BAD_INPUT, ["blunt.json", "blade.sharpness", "from 0.2 to 1"], "scenario", "check",
                             self.write("blunt.json", scenario))
 
+    def test_a_file_cannot_review_itself(self):
+        file = self.write("signed.json", {**coarse_silver(), "reviewed": True, "reviewed_by": "A. Surgeon"})
+        for verb in (["scenario", "check"], ["attempt"]):
+            self.expect_refusal(BAD_INPUT, ["signed.json", "a file cannot review itself"], *verb, file)
+
     def test_check_lays_the_planes_on_the_patient(self):
         checked = self.ask("scenario", "check", SILVER)
         self.assertEqual(checked["name"], "silver")

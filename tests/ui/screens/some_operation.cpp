@@ -113,7 +113,7 @@ database::AttemptId operated_by(database::SomeCourse& course, const std::string&
   const scenarios::Scenario& scenario = operation.scenario;
   database::NewAttempt begun = course.attempt_of(login);
   begun.scenario = put_scenario_version(
-      database, {scenario.name, scenario.version, scenario.text, scenario.is_reviewed});
+      database, {scenario.name, scenario.version, scenario.text, scenario.claims_review});
   begun.bone = put_asset(database, "bone", encode_bone(operation.bone));
   database::AttemptId id = record(database, begun, operation.recording, facts);
   if (is_scored) {

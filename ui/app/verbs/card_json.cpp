@@ -10,7 +10,7 @@ double points(std::int64_t milli) { return static_cast<double>(milli) / 1000.0; 
 
 }  // namespace
 
-ordered_json card_summary_json(const database::ScoreCard& card) {
+ordered_json card_summary_json(const database::ScoreCard& card, bool is_confirmed) {
   ordered_json groups = ordered_json::array();
   for (const database::GroupScore& group : card.groups) {
     groups.push_back({{"name", group.name},
@@ -31,7 +31,7 @@ ordered_json card_summary_json(const database::ScoreCard& card) {
   return {{"score", points(card.score_milli)},
           {"measured_weight", points(card.measured_milli)},
           {"partial", card.measured_milli < card.rubric_milli},
-          {"confirmed", false},
+          {"confirmed", is_confirmed},
           {"reviewed", card.is_reviewed},
           {"scenario_version", card.scenario_version},
           {"rubric_version", card.rubric_version},

@@ -9,7 +9,8 @@
 namespace hallux::ui {
 
 /// `score`, `measured_weight`, `groups`, `gates`, and what the score was computed with.
-nlohmann::ordered_json card_summary_json(const database::ScoreCard& card);
+/// is_confirmed  an instructor stands for this score
+nlohmann::ordered_json card_summary_json(const database::ScoreCard& card, bool is_confirmed);
 /// `ledger`: one object a line; points_lost are shown points, so they add up to 100 - score.
 nlohmann::ordered_json ledger_json(const database::ScoreCard& card);
 

@@ -11,6 +11,7 @@
 #include <ostream>
 #include <vector>
 
+#include "assessment/pass_mark.h"
 #include "scenarios/hands/hand_file.h"
 #include "simulator/base/digest.h"
 #include "simulator/base/units.h"
@@ -119,7 +120,7 @@ ordered_json outcome_json(const ScriptedAttempt& attempt, const AttemptOutcome& 
                          {"scenario", attempt.scenario.name},
                          {"hand", attempt.hand},
                          {"seed", attempt.seed}};
-  answer.update(card_summary_json(outcome.card));
+  answer.update(card_summary_json(outcome.card, false));
   answer["samples"] = outcome.recorder.samples;
   answer["duration_s"] = second_from_tick(outcome.loop.ticks);
   answer["quality"] = ordered_json::parse(quality_json(outcome.quality));
@@ -180,6 +181,20 @@ ordered_json points_json(const std::optional<std::int64_t>& milli) {
   return milli ? ordered_json(static_cast<double>(*milli) / 1000.0) : ordered_json();
 }
 
+/// The result that stands, with what it was made with: the signed score's, or the machine's.
+ordered_json result_json(const database::AttemptHeader& header) {
+  if (!header.score_milli) return nullptr;
+  const std::int64_t milli = header.decided_milli.value_or(*header.score_milli);
+  const assessment::PassAnswer answer = assessment::pass_answer(header.pass, milli);
+  return {{"score", points_json(milli)},
+          {"rubric_version", header.rubric_version},
+          {"measured_weight", points_json(header.pass.measured_milli)},
+          {"gated", header.pass.is_gated},
+          {"passed", answer == assessment::PassAnswer::NotDecided
+                         ? ordered_json()
+                         : ordered_json(answer == assessment::PassAnswer::Reached)}};
+}
+
 ordered_json attempt_json(const database::AttemptHeader& header) {
   return {{"attempt", header.id.text},
           {"scenario", header.scenario_name},
@@ -195,6 +210,10 @@ ordered_json attempt_json(const database::AttemptHeader& header) {
           {"decision",
            header.decision ? ordered_json(database::name_of(*header.decision)) : ordered_json()},
           {"decided_score", points_json(header.decided_milli)},
+          {"signed_for_score_in_force",
+           header.decision ? ordered_json(header.decision_is_of_score_in_force) : ordered_json()},
+          {"grade", is_grade(header)},
+          {"result", result_json(header)},
           {"simulated", header.is_simulated},
           {"valid", or_null(header.is_valid)}};
 }
@@ -214,6 +233,7 @@ void print_attempt(std::ostream& out, const database::AttemptHeader& header) {
     out << "  guided: " << database::name_of(header.begun.guidance);
   }
   if (header.decision) out << "  " << database::name_of(*header.decision);
+  if (header.decision && !header.decision_is_of_score_in_force) out << " (an earlier score)";
   if (header.decided_milli && header.decided_milli != header.score_milli) {
     out << " " << static_cast<double>(*header.decided_milli) / 1000.0;
   }

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "database/audit/anchors.h"
+#include "database/course/score_json.h"
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/app/verbs/access.h"
 #include "ui/app/verbs/card_json.h"
@@ -27,6 +28,22 @@ struct ReportOptions {
   std::filesystem::path output;
 };
 
+/// The attempt as it is about that card: what was signed for another is signed for an earlier
+/// score.
+database::AttemptHeader header_about(database::AttemptDesk& desk, const database::AttemptId& id,
+                                     const database::ScoreCard& card) {
+  database::AttemptHeader header = desk.header(id);
+  const std::optional<database::StoredScore> in_force = desk.score(id);
+  if (!in_force || !database::is_same_score(in_force->card, card))
+    header.decision_is_of_score_in_force = false;
+  return header;
+}
+
+/// Somebody stands for the score in force.
+bool is_signed(const database::AttemptHeader& header) noexcept {
+  return header.decided_milli.has_value() && header.decision_is_of_score_in_force;
+}
+
 ExitCode score_on(const VerbContext& context, const std::string& id) {
   database::Database database = open_kept(context);
   const AttemptAction wanted{Action::StoreScore, {id}};
@@ -40,16 +57,17 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
     }
     const database::ScoreCard card = score_attempt(material, stages_on(context)).card;
     if (is_stored) desk.store_score(material.header.id, card);
+    const database::AttemptHeader header = header_about(desk, material.header.id, card);
     if (context.json) {
       ordered_json answer = {{"attempt", material.header.id.text},
                              {"scenario", material.header.scenario_name},
                              {"state", database::name_of(material.header.state)},
                              {"stored", is_stored}};
-      answer.update(card_summary_json(card));
+      answer.update(card_summary_json(card, is_signed(header)));
       answer["ledger"] = ledger_json(card);
       write_json(context.out, answer);
     } else {
-      context.out << score_sheet(card, material.scenario);
+      context.out << score_sheet(card, material.scenario, signature_text(header));
     }
     return ExitCode::Done;
   });
@@ -66,7 +84,7 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
                                            score_attempt(material, stages_on(context)),
                                            material.header.begun.guidance);
     const auto quality = quality_from_json(material.header.quality_json);
-    add_attempt_facts(shown, material.header,
+    add_attempt_facts(shown, header_about(desk, material.header.id, shown.card),
                       quality ? verdict_of(quality->certificate) : database::Verdict{});
     shown.versions.push_back({"Anchor", text_of(database::take_anchor(database))});
     const std::string page = html_report(shown);

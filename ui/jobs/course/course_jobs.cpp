@@ -9,7 +9,7 @@ namespace hallux::ui {
 namespace {
 
 database::ScenarioText text_of(const scenarios::Scenario& scenario) {
-  return {scenario.name, scenario.version, scenario.text, scenario.is_reviewed};
+  return {scenario.name, scenario.version, scenario.text, scenario.claims_review};
 }
 
 }  // namespace

@@ -151,7 +151,7 @@ void DemoPeople::add_catalogue(database::AdministratorDesk& desk,
                                const std::vector<DemoOperation>& operated) {
   const auto import_version = [&](const scenarios::Scenario& scenario) {
     return desk.import_scenario(
-        {scenario.name, scenario.version, scenario.text, scenario.is_reviewed});
+        {scenario.name, scenario.version, scenario.text, scenario.claims_review});
   };
   for (const DemoOperation& operation : operated) {
     versions_.push_back(import_version(operation.scenario));

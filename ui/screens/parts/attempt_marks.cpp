@@ -37,6 +37,8 @@ void draw_attempt_state(Ui& ui, const database::AttemptHeader& attempt, const Re
     pill(ui, at, ui.text("attempts.not_counted"), Meaning::Neutral, false);
   } else if (attempt.begun.kind == database::AttemptKind::Practice) {
     pill(ui, at, ui.text("attempts.does_not_count"), Meaning::Neutral);
+  } else if (attempt.decision && !attempt.decision_is_of_score_in_force) {
+    pill(ui, at, ui.text("attempts.signed_before"), Meaning::Warn);
   } else if (attempt.decision) {
     pill(ui, at, ui.text("attempts.decided"), Meaning::Good);
   } else {

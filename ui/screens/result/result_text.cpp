@@ -48,12 +48,12 @@ ScoreMark state_mark(const Texts& texts, const ResultFacts& facts) {
   };
   const database::Decision* decision = facts.decision();
   if (facts.header.state == AttemptState::Void) return mark("result.mark.void", Meaning::Bad, true);
-  if (decision != nullptr && decision->kind == DecisionKind::Overridden)
-    return mark("result.mark.overridden", Meaning::Info, true);
-  if (decision != nullptr && facts.header.decision_is_of_score_in_force)
-    return mark("result.mark.confirmed", Meaning::Good, true);
-  if (decision != nullptr) return mark("result.mark.signed_before", Meaning::Warn, true);
-  return mark("result.mark.advisory", Meaning::Neutral, false);
+  if (decision == nullptr) return mark("result.mark.advisory", Meaning::Neutral, false);
+  if (!facts.header.decision_is_of_score_in_force)
+    return mark("result.mark.signed_before", Meaning::Warn, true);
+  return decision->kind == DecisionKind::Overridden
+             ? mark("result.mark.overridden", Meaning::Info, true)
+             : mark("result.mark.confirmed", Meaning::Good, true);
 }
 
 }  // namespace

@@ -110,9 +110,10 @@ LentHands some_mouse(const HandStart& start, const Progress&) {
 
 Operator::Operator(OperableCourse& course, database::AttemptKind kind, float scale, Point size,
                    ScenePainter* painter, LendHands lend) {
-  open(std::make_unique<OperatingScreen>(course.visit_of_ada(), navigator,
-                                         OperationChoice{course.version(), {kind}}, std::move(lend)),
-       scale, size, painter);
+  open(
+      std::make_unique<OperatingScreen>(course.visit_of_ada(), navigator,
+                                        OperationChoice{course.version(), {kind}}, std::move(lend)),
+      scale, size, painter);
   EXPECT_TRUE(until([&] { return driver_->has("operate.begin"); }, 60.0));
 }
 
