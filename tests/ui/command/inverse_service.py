@@ -79,8 +79,14 @@ class InverseService:
         self.greatest, self.messages, self.sessions = 0.0, 0, 0
         self.listener = socket.create_server(("127.0.0.1", 0))
         self.port = self.listener.getsockname()[1]
-        self.connections = []
+        self.connections, self.threads = [], []
         threading.Thread(target=self.accept, daemon=True).start()
+
+    def force_left(self):
+        """Once everybody who came has gone, and all that they said was heard: the greatest part of the force."""
+        for each in self.threads:
+            each.join(timeout=10)
+        return max(abs(part) for part in self.force.values())
 
     def close(self):
         for each in (self.listener, *self.connections):
@@ -98,7 +104,8 @@ class InverseService:
                 return
             connection.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             self.connections.append(connection)
-            threading.Thread(target=self.serve, args=(connection,), daemon=True).start()
+            self.threads.append(threading.Thread(target=self.serve, args=(connection,), daemon=True))
+            self.threads[-1].start()
 
     def serve(self, connection):
         try:
@@ -134,16 +141,11 @@ class InverseService:
                            b"Sec-WebSocket-Accept: " + accept + b"\r\n\r\n")
         channel = WebSocket(connection, rest)
         channel.say(self.first.encode() if self.first is not None else self.state(True))
-        own_force = False
-        try:
-            while True:
-                command = json.loads(channel.message())
-                own_force = self.take(command) or own_force
-                self.answer(channel, "session" in command)
-        finally:
-            # A session's force ends with it.
-            if own_force:
-                self.force = {axis: 0.0 for axis in "xyz"}
+        # A force that was said last stays: nobody counts on a service that takes it back by itself.
+        while True:
+            command = json.loads(channel.message())
+            self.take(command)
+            self.answer(channel, "session" in command)
 
     def take(self, command):
         for arm in command.get("inverse3", []):
@@ -152,7 +154,6 @@ class InverseService:
                 if key in self.keys:
                     self.force = value
                     self.greatest = max(self.greatest, *(abs(part) for part in value.values()))
-        return "inverse3" in command
 
     def answer(self, channel, is_whole):
         fault = self.fault if self.messages >= self.fault_after else None
