@@ -5,8 +5,9 @@
 ///                                 [--once FILE pull|plug|DEVICE-FAULT DEVICE]...
 ///                                 [--report FILE] -- COMMAND...
 ///
-///     DEVICE        falcon, arm or space_mouse, with ':' and options between commas:
-///                   serial=S, loaded, homed, older, pressed, no-rights, taken, wrong-echo=BYTE
+///     DEVICE        falcon, arm, space_mouse or touch, with ':' and options between commas:
+///                   serial=S, loaded, homed, older, pressed, no-rights, taken, absent (until it
+///                   is plugged in), wrong-echo=BYTE; in an action its name, serial or place: 0, 1
 ///     DEVICE-FAULT  silent, garbled, long
 ///
 /// One action after the other, in the order in which they are named: at its moment, or once a file
@@ -38,7 +39,7 @@ using nlohmann::ordered_json;
 struct DeviceOptions {
   std::string name, serial;
   bool is_loaded = false, is_homed = false, is_older = false, is_pressed = false, has_rights = true,
-       is_taken = false;
+       is_taken = false, is_absent = false;
   std::size_t wrong_echo_at = 0;
 };
 
@@ -64,6 +65,8 @@ DeviceOptions options_in(const std::string& text) {
       options.is_pressed = true;
     else if (word == "taken")
       options.is_taken = true;
+    else if (word == "absent")
+      options.is_absent = true;
     else if (word == "no-rights")
       options.has_rights = false;
     else
@@ -174,6 +177,21 @@ class PluggedSpaceMouse final : public Plugged {
   std::uint64_t moves_ = 0;
 };
 
+/// One whose maker keeps its protocol closed: it is there, and nobody speaks with it.
+class PluggedTouch final : public Plugged {
+ public:
+  PluggedTouch(const DeviceOptions& options, int number)
+      : Plugged(options), served_(number, touch_identity(options.serial), model_) {}
+
+  ServedDevice& served() override { return served_; }
+  void go_wrong(const std::string&) override {}
+  ordered_json seen() const override { return ordered_json::object(); }
+
+ private:
+  SpaceMouseModel model_;
+  ServedHid served_;
+};
+
 struct Action {
   double at_s = 0.0;
   /// That it waits for; empty: for none.
@@ -226,6 +244,7 @@ std::unique_ptr<Plugged> made(const DeviceOptions& options, int number) {
   if (options.name == "falcon") return std::make_unique<PluggedFalcon>(options, number + 1);
   if (options.name == "arm") return std::make_unique<PluggedArm>(options, number);
   if (options.name == "space_mouse") return std::make_unique<PluggedSpaceMouse>(options, number);
+  if (options.name == "touch") return std::make_unique<PluggedTouch>(options, number);
   throw std::runtime_error("no such device: " + options.name);
 }
 
@@ -239,14 +258,17 @@ class Bus {
       ServedDevice& served = devices_.back()->served();
       umockdev_testbed_attach_ioctl(testbed_.get(), ("/dev/" + served.node()).c_str(),
                                     served.calls(), nullptr);
-      plug(*devices_.back());
+      if (!each.is_absent) plug(*devices_.back());
     }
   }
 
   void act(const Action& action) {
-    for (const std::unique_ptr<Plugged>& each : devices_) {
-      if (each->options().name != action.device && each->options().serial != action.device)
-        continue;
+    for (std::size_t place = 0; place < devices_.size(); ++place) {
+      const std::unique_ptr<Plugged>& each = devices_[place];
+      const bool is_meant = each->options().name == action.device ||
+                            each->options().serial == action.device ||
+                            std::to_string(place) == action.device;
+      if (!is_meant) continue;
       if (action.what == "pull")
         pull(*each);
       else if (action.what == "plug")

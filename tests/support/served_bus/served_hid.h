@@ -48,5 +48,7 @@ class ServedHid final : public ServedDevice {
 HidIdentity space_mouse_identity(const std::string& serial = "");
 /// The board of an open serial arm.
 HidIdentity arm_identity(const std::string& serial = "");
+/// A 3D Systems Touch, as far as its numbers go.
+HidIdentity touch_identity(const std::string& serial = "");
 
 }  // namespace hallux::tests

@@ -123,6 +123,17 @@ class Several(ServedTest):
             self.assertEqual(sorted(lit), [[], [True, False]], "one of them, and not the other")
 
 
+class Closed(ServedTest):
+    devices = ("touch",)
+
+    def test_one_whose_maker_keeps_its_protocol_closed_says_so_and_is_not_opened(self):
+        touch = self.listed()["touch"]
+        self.assertEqual((touch["usable"], touch["class"], touch["reason"]), (False, None, "closed_protocol"))
+        self.assertIn("keeps its protocol closed", touch["sentence"])
+        self.expect_refusal(NO_DISPLAY, ["keeps its protocol closed"], "devices", "test", "touch")
+        self.expect_refusal(NO_DISPLAY, ["keeps its protocol closed"], "attempt", "silver", "--device", "touch", "--seconds", "1")
+
+
 class Settings(CommandTest):
     def test_a_value_is_kept_beside_the_database_and_unset_again(self):
         self.ask("devices", "set", "falcon", "motion_scale", "1.5")
@@ -406,6 +417,16 @@ class Operated(ServedTest):
         answer = self.operate(7)
         self.assertGreaterEqual(answer["quality"]["pauses"], 1)
         self.assertGreaterEqual(answer["quality"]["faulted_ticks"], 100)
+        self.assertIs(self.ask("replay", answer["attempt"])["identical"], True)
+
+    def test_it_may_come_back_in_another_socket(self):
+        self.devices = ("falcon:serial=A1,loaded", "falcon:serial=A1,loaded,absent")
+        self.later = ((4, "pull", "0"), (5, "plug", "1"))
+        answer = self.operate(7)
+        self.assertGreaterEqual(answer["quality"]["pauses"], 1)
+        first, second = json.loads(self.report_file().read_text())
+        self.assertGreater(second["packets"], 200, "it went on where it is now")
+        self.assertGreater(first["packets"], 200)
         self.assertIs(self.ask("replay", answer["attempt"])["identical"], True)
 
     def test_how_long_must_be_said(self):
