@@ -6,7 +6,7 @@
 ///                                 [--report FILE] -- COMMAND...
 ///
 ///     DEVICE        falcon, arm, space_mouse or touch, with ':' and options between commas:
-///                   serial=S, loaded, homed, older, pressed, no-rights, taken, absent (until it
+///                   serial=S, loaded, homed, unhomed, older, pressed, no-rights, taken, absent (until it
 ///                   is plugged in), wrong-echo=BYTE; in an action its name, serial or place: 0, 1
 ///     DEVICE-FAULT  silent, garbled, long
 ///
@@ -39,7 +39,7 @@ using nlohmann::ordered_json;
 struct DeviceOptions {
   std::string name, serial;
   bool is_loaded = false, is_homed = false, is_older = false, is_pressed = false, has_rights = true,
-       is_taken = false, is_absent = false;
+       is_taken = false, is_absent = false, is_never_homed = false;
   std::size_t wrong_echo_at = 0;
 };
 
@@ -65,6 +65,8 @@ DeviceOptions options_in(const std::string& text) {
       options.is_pressed = true;
     else if (word == "taken")
       options.is_taken = true;
+    else if (word == "unhomed")
+      options.is_never_homed = true;
     else if (word == "absent")
       options.is_absent = true;
     else if (word == "no-rights")
@@ -98,7 +100,10 @@ class PluggedFalcon final : public Plugged {
     model_.is_homed = options.is_homed;
     served_.is_taken = options.is_taken;
     model_.faults.wrong_echo_at = options.wrong_echo_at;
-    model_.on_packet = [](FalconModel& falcon) { hold(falcon); };
+    model_.on_packet = [is_never_homed = options.is_never_homed](FalconModel& falcon) {
+      hold(falcon);
+      if (is_never_homed) falcon.is_homed = false;
+    };
   }
 
   ServedDevice& served() override { return served_; }

@@ -232,6 +232,12 @@ class Falcon(ServedTest):
         self.assertLessEqual(answer["greatest_force_newton"], 6.0)
         self.assertEqual(self.seen()["motors"], [0, 0, 0], "nothing is left")
 
+    def test_one_that_nobody_brings_home_says_how(self):
+        self.devices = ("falcon:loaded,unhomed",)
+        answer = self.try_out("falcon", "--home-within", "1", code=CHECK_FAILED)
+        self.assertEqual((answer["fault"], answer["homed"], answer["greatest_force_newton"]), ("not_homed", False, 0.0))
+        self.assertIn("pull the grip out fully", self.hallux("devices", "test", "falcon", "--home-within", "1").out)
+
     def test_silence_and_rubbish_leave_no_force(self):
         self.devices = ("falcon:loaded",)
         for what, fault in (("silent", "silent"), ("garbled", "garbled")):
@@ -293,6 +299,12 @@ class Arm(ServedTest):
         answer = self.try_out("raw_hid_arm", "--seconds", "2")
         self.assertGreaterEqual(answer["exchanges"], 1000)
         self.assertEqual((answer["bad_packets"], answer["homed"], answer["fault"]), (0, True, None))
+
+    def test_one_that_nobody_calibrates_says_how(self):
+        self.devices = ("arm",)
+        answer = self.try_out("raw_hid_arm", "--home-within", "1", code=CHECK_FAILED)
+        self.assertEqual((answer["fault"], answer["homed"], answer["greatest_force_newton"]), ("not_calibrated", False, 0.0))
+        self.assertIn("hold its button", self.hallux("devices", "test", "raw_hid_arm", "--home-within", "1").out)
 
     def test_silence_and_rubbish_are_told(self):
         for what in ("silent", "garbled"):
@@ -357,6 +369,11 @@ class Inverse(CommandTest):
     def test_one_that_understands_no_word_is_told(self):
         self.serve(keys=())
         self.assertEqual(self.try_out("--seconds", "6", "--wall", "0.5", code=CHECK_FAILED)["fault"], "service_version")
+
+    def test_uncalibrated_it_is_given_no_force(self):
+        service = self.serve(calibrated=False)
+        self.assertEqual(self.try_out("--home-within", "0.5", "--wall", "0.5", code=CHECK_FAILED)["fault"], "not_calibrated")
+        self.assertEqual(service.greatest, 0.0)
 
     def test_what_cannot_be_used_says_why(self):
         for how, reason, word in (({"version": "3.0.5"}, "service_version", "(3.0)"), ({"kind": "minverse"}, "wrong_model", "(minverse)"),

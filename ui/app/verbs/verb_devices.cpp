@@ -149,6 +149,10 @@ void add_test(CLI::App& devices, VerbContext& context) {
   test->add_option("--seconds", wanted->seconds, "how long to exchange, once it is homed")
       ->check(CLI::Range(0.1, 3600.0))
       ->capture_default_str();
+  test->add_option("--home-within", wanted->home_within_s,
+                   "how many seconds somebody has to bring its grip home")
+      ->check(CLI::Range(0.1, 3600.0))
+      ->capture_default_str();
   test->add_option("--wall", wanted->wall_newton_per_mm,
                    "a wall where the grip is after homing, held from both sides, so stiff")
       ->check(CLI::Range(0.01, 5.0));

@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "simulator/base/units.h"
+#include "ui/jobs/devices/device_sentences.h"
 #include "ui/jobs/devices/felt_wall.h"
 
 namespace hallux::ui {
@@ -14,8 +15,6 @@ using simulator::DevicePort;
 using simulator::PortPhase;
 using Clock = std::chrono::steady_clock;
 
-/// For somebody to take the grip and bring it home.
-constexpr std::chrono::seconds homed_within{60};
 constexpr std::chrono::milliseconds tick{1};
 
 /// Every millisecond for so long, or until the device is gone.
@@ -41,8 +40,13 @@ void exchange(DevicePort& port, const DeviceTest& wanted, const Progress& progre
 
 }  // namespace
 
-bool is_brought_home(DevicePort& port, const Progress& progress) {
-  const auto end = Clock::now() + homed_within;
+simulator::DeviceTrouble trouble_of_homing(simulator::DeviceKind kind) noexcept {
+  return kind == simulator::DeviceKind::Falcon ? simulator::DeviceTrouble::NotHomed
+                                               : simulator::DeviceTrouble::NotCalibrated;
+}
+
+bool is_brought_home(DevicePort& port, double within_s, const Progress& progress) {
+  const auto end = Clock::now() + std::chrono::duration<double>(within_s);
   while (port.phase() != PortPhase::Running && port.phase() != PortPhase::Ended) {
     if (Clock::now() > end) return false;
     report(progress, 0.0);
@@ -59,7 +63,7 @@ DeviceTestResult test_device(simulator::Station& station, const std::string& id,
     result.fault = {simulator::DeviceTrouble::Unplugged, {}, {}};
     return result;
   }
-  result.is_homed = is_brought_home(*port, progress);
+  result.is_homed = is_brought_home(*port, wanted.home_within_s, progress);
   if (result.is_homed) {
     const std::uint64_t before = port->figures().packets;
     const auto begun = Clock::now();
@@ -67,7 +71,7 @@ DeviceTestResult test_device(simulator::Station& station, const std::string& id,
     const std::chrono::duration<double> took = Clock::now() - begun;
     result.rate_hz = static_cast<double>(port->figures().packets - before) / took.count();
   } else if (port->phase() != PortPhase::Ended) {
-    result.fault = {simulator::DeviceTrouble::NotHomed, {}, {}};
+    result.fault = {trouble_of_homing(kind_of_device(id)->kind), {}, {}};
   }
   // One that answers too late for a force goes on without one: that is no end, but a fault.
   if (!result.fault) result.fault = port->trouble();

@@ -9,7 +9,11 @@
 
 namespace hallux::ui {
 
+/// For somebody to take the grip and bring it home.
+inline constexpr double homed_within_s = 60.0;
+
 struct DeviceTest {
+  double home_within_s = homed_within_s;
   /// Of exchanges, once it is homed.
   double seconds = 2.0;
   /// Of a wall through the place where the grip is after homing, felt from both sides; none: no
@@ -31,7 +35,10 @@ struct DeviceTestResult {
 /// Waits until a device that is being opened runs: somebody takes its grip and brings it home.
 /// False where that takes too long, or it is gone.
 /// errors  Cancelled
-bool is_brought_home(simulator::DevicePort& port, const Progress& progress);
+bool is_brought_home(simulator::DevicePort& port, double within_s, const Progress& progress);
+
+/// Of a device that was not: some must be homed, some calibrated.
+simulator::DeviceTrouble trouble_of_homing(simulator::DeviceKind kind) noexcept;
 
 /// needs   the station lists the device as usable
 /// errors  Cancelled

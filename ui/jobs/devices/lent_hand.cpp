@@ -18,10 +18,10 @@ DeviceRefused::DeviceRefused(const TroubleReport& trouble, const simulator::Foun
 void bring_home(simulator::Station& station, const simulator::FoundDevice& device,
                 const Progress& progress) {
   const std::shared_ptr<simulator::DevicePort> port = station.open(device.id);
-  if (port && is_brought_home(*port, progress)) return;
+  if (port && is_brought_home(*port, homed_within_s, progress)) return;
   TroubleReport trouble =
       port ? port->trouble() : TroubleReport{DeviceTrouble::Unplugged, device.address, {}};
-  if (!trouble) trouble.trouble = DeviceTrouble::NotHomed;
+  if (!trouble) trouble.trouble = trouble_of_homing(device.kind);
   throw DeviceRefused(trouble, device);
 }
 
