@@ -6,8 +6,9 @@
 ///                                 [--report FILE] -- COMMAND...
 ///
 ///     DEVICE        falcon, arm, space_mouse or touch, with ':' and options between commas:
-///                   serial=S, loaded, homed, unhomed, older, pressed, no-rights, taken, absent (until it
-///                   is plugged in), wrong-echo=BYTE; in an action its name, serial or place: 0, 1
+///                   serial=S, loaded, homed, unhomed, older, pressed, no-rights, taken,
+///                   wrong-echo=BYTE, absent (until it is plugged in); in an action its name,
+///                   serial or place: 0, 1
 ///     DEVICE-FAULT  silent, garbled, long
 ///
 /// One action after the other, in the order in which they are named: at its moment, or once a file
