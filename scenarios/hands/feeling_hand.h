@@ -29,7 +29,7 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
  public:
   /// The hand for all of the scenario's steps.
   /// ensures the same arguments and the same simulation give the same motion on every machine
-  /// errors  ScenarioError where an aimed plane misses the bone
+  /// errors  ScenarioError where a planned plane misses the bone
   FeelingHand(const Scenario& scenario, const simulator::Bone& bone, const Plan& plan,
               const HandSkill& skill, std::uint64_t seed);
 

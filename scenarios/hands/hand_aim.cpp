@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "simulator/base/elementary.h"
 #include "simulator/base/random.h"
@@ -81,13 +83,30 @@ struct Sight {
   SectionRegion region;
 };
 
-Sight look_along(const ReferenceFace& face, const Target& target, const KnownBone& known) {
+/// Nothing where the plane misses the bone.
+std::optional<Sight> look_along(const ReferenceFace& face, const Target& target,
+                                const KnownBone& known) {
   const KerfPlane plane{blade_frame(face, target), target.kerf_mm};
   const Section section = slice_section(known.solid, known.bvh, plane);
   const SectionRegion* region = region_near(section, target.near_mm);
-  if (region != nullptr && !region->contours.empty()) return {plane, *region};
-  throw ScenarioError("the hand's plane misses the bone for seed " + std::to_string(target.seed) +
-                      "; choose another seed");
+  if (region == nullptr || region->contours.empty()) return std::nullopt;
+  return Sight{plane, *region};
+}
+
+/// Of a face that lies in the bone.
+Sight must_see(std::optional<Sight> seen, const Target& target) {
+  if (seen) return *std::move(seen);
+  throw ScenarioError("cut \"" + target.cut.name + "\": no hand meets the bone with seed " +
+                      std::to_string(target.seed) + "; choose another seed");
+}
+
+/// A hand that sees its plane miss the bone aims again, so often at most.
+constexpr int aims_most = 100;
+
+/// Each aim draws from streams of its own; the first ones have no number.
+Target aimed_again(Target target, int times) {
+  if (times > 0) target.stream += ".again" + std::to_string(times);
+  return target;
 }
 
 /// What a hand gets wrong in one cut.
@@ -241,11 +260,9 @@ KnownBone::KnownBone(const simulator::Bone& known)
 std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const KnownBone& known,
                           const HandSkill& skill, std::uint64_t seed) {
   std::vector<AimedCut> aims(plan.cuts.size());
-  const auto aim_one = [&](std::size_t index) {
-    const Target target = target_of(scenario, plan, index, known, seed);
-    const Sight planned = look_along(target.cut.face, target, known);
+  const auto aim_at = [&](const Target& target, const Sight& planned, AimedCut& aimed) {
     const AimErrors errors = draw_errors(target, skill);
-    AimedCut& aimed = aims[index];
+    aimed = {};
     aimed.angle_error_rad = errors.angle_rad;
     if (target.cut.kind == FaceKind::ThroughHinge) {
       const PlannedHinge& hinge = *find_hinge(plan, target.cut.hinge);
@@ -257,9 +274,18 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
     } else {
       aim_at_plan(target, planned, errors, aimed);
     }
-    const Sight seen = look_along(aimed.face, target, known);
-    aimed.plane = seen.plane;
-    aimed.region = seen.region;
+    return look_along(aimed.face, target, known);
+  };
+  const auto aim_one = [&](std::size_t index) {
+    const Target target = target_of(scenario, plan, index, known, seed);
+    const Sight planned = must_see(look_along(target.cut.face, target, known), target);
+    AimedCut& aimed = aims[index];
+    std::optional<Sight> seen;
+    for (int times = 0; !seen && times < aims_most; ++times)
+      seen = aim_at(aimed_again(target, times), planned, aimed);
+    const Sight met = must_see(std::move(seen), target);
+    aimed.plane = met.plane;
+    aimed.region = met.region;
     plan_stop(plan, skill, target, aimed);
   };
   // A face through a hinge is aimed at the end of another cut.

@@ -41,7 +41,8 @@ struct AimedCut {
 
 /// One for each cut of the plan. A face through a hinge is measured off from the first face that
 /// the hand aimed at.
-/// errors  ScenarioError where an aimed plane misses the bone, or the approach is from no side
+/// A plane that misses the bone is aimed anew, as by somebody who sees it.
+/// errors  ScenarioError where the planned face misses the bone, or the approach is from no side
 ///         there is
 std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const KnownBone& known,
                           const HandSkill& skill, std::uint64_t seed);
