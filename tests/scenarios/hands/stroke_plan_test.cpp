@@ -122,8 +122,8 @@ RC_GTEST_PROP(StrokePlan, CoversTheSectionWithTheOverlapThatWasAsked, ()) {
   std::vector<Stroke> strokes = plan_strokes(region, {width_mm, overlap_mm, margin_mm});
   for (const Vec2& point : region.contours[0]) {
     RC_ASSERT(std::any_of(strokes.begin(), strokes.end(), [&](const Stroke& stroke) {
-      return std::abs(point.y - stroke.along_mm) <= 0.5 * width_mm && point.x >= stroke.first_mm &&
-             point.x <= stroke.last_mm;
+      return std::abs(point.y - stroke.along_mm) <= 0.5 * width_mm + rounding_mm &&
+             point.x >= stroke.first_mm && point.x <= stroke.last_mm;
     }));
   }
   std::sort(strokes.begin(), strokes.end(),
