@@ -16,8 +16,8 @@ struct PortFigures {
   std::uint64_t pushes_unanswered = 0;
   double greatest_force_newton = 0.0;
   double round_trip_p50_us = 0.0, round_trip_p99_us = 0.0, round_trip_max_us = 0.0;
-  /// Since the device knows where its legs or joints are.
-  double calibration_age_s = 0.0;
+  /// Since somebody brought it home; nothing: it was before it was opened, or it needs none.
+  std::optional<double> calibration_age_s = std::nullopt;
   /// Newtons that the device says it gives for one that it was told; nothing: it says none.
   std::optional<double> own_force_scale = std::nullopt;
 

@@ -43,6 +43,17 @@ std::uint32_t limits_from_names(const std::vector<std::string>& found) {
   return bits;
 }
 
+nlohmann::ordered_json or_null(const std::optional<double>& value) {
+  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
+}
+
+/// Certificates of before it was told have none.
+std::optional<double> number_if_any(const nlohmann::json& json, const char* name) {
+  const auto found = json.find(name);
+  if (found == json.end() || found->is_null()) return std::nullopt;
+  return found->get<double>();
+}
+
 nlohmann::ordered_json json_of(const simulator::DeviceFacts& device) {
   const simulator::PortFigures& figures = device.figures;
   return {{"kind", device.kind},
@@ -50,9 +61,8 @@ nlohmann::ordered_json json_of(const simulator::DeviceFacts& device) {
           {"class", device.device_class},
           {"library", device.library},
           {"motion_scale", device.motion_scale},
-          {"own_force_scale",
-           figures.own_force_scale ? nlohmann::ordered_json(*figures.own_force_scale) : nullptr},
-          {"calibration_age_s", figures.calibration_age_s},
+          {"own_force_scale", or_null(figures.own_force_scale)},
+          {"calibration_age_s", or_null(figures.calibration_age_s)},
           {"packets", figures.packets},
           {"late_packets", figures.late_packets},
           {"bad_packets", figures.bad_packets},
@@ -72,11 +82,8 @@ simulator::DeviceFacts device_from(const nlohmann::json& json) {
   json.at("library").get_to(device.library);
   json.at("motion_scale").get_to(device.motion_scale);
   simulator::PortFigures& figures = device.figures;
-  // Certificates of before they were told have neither.
-  if (const auto age = json.find("calibration_age_s"); age != json.end())
-    age->get_to(figures.calibration_age_s);
-  if (const auto scale = json.find("own_force_scale"); scale != json.end() && !scale->is_null())
-    figures.own_force_scale = scale->get<double>();
+  figures.calibration_age_s = number_if_any(json, "calibration_age_s");
+  figures.own_force_scale = number_if_any(json, "own_force_scale");
   json.at("packets").get_to(figures.packets);
   json.at("late_packets").get_to(figures.late_packets);
   json.at("bad_packets").get_to(figures.bad_packets);

@@ -118,6 +118,8 @@ class Connection {
     info.gid = static_cast<decltype(info.gid)>(-1);
     info.uid = static_cast<decltype(info.uid)>(-1);
     info.fd_limit_per_thread = files_at_once;
+    // Whatever the environment says of proxies: they are for other machines.
+    info.http_proxy_address = "";
     context_.reset(::lws_create_context(&info));
     if (!context_) {
       talk_.state = Conversation::State::Over;
@@ -131,6 +133,8 @@ class Connection {
     wanted.path = path.c_str();
     wanted.method = method;
     wanted.local_protocol_name = "";
+    // It might lead to another machine.
+    wanted.ssl_connection = LCCSCF_HTTP_NO_FOLLOW_REDIRECT;
     wanted.opaque_user_data = &talk_;
     wanted.pwsi = &connection_;
     if (::lws_client_connect_via_info(&wanted) == nullptr) talk_.state = Conversation::State::Over;
@@ -193,6 +197,7 @@ class OpenServiceChannel final : public ServiceChannel {
   BusAnswer say(std::string_view text) noexcept override {
     wait_for_turn();
     if (connection_.is_over()) return BusAnswer::Gone;
+    forget_what_was_heard();
     std::vector<unsigned char>& to_say = connection_.talk().to_say;
     to_say.resize(LWS_PRE + text.size());
     std::memcpy(to_say.data() + LWS_PRE, text.data(), text.size());
@@ -204,7 +209,7 @@ class OpenServiceChannel final : public ServiceChannel {
 
   HeardMessage hear(std::chrono::milliseconds wait) noexcept override {
     Conversation& talk = connection_.talk();
-    if (was_heard_) talk.forget();
+    forget_what_was_heard();
     was_heard_ = connection_.work_until([&] { return talk.is_whole; }, wait);
     if (was_heard_) {
       return talk.is_too_long ? HeardMessage{BusAnswer::Refused, {}}
@@ -215,6 +220,12 @@ class OpenServiceChannel final : public ServiceChannel {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  /// What comes from now on is another message, also while one is said.
+  void forget_what_was_heard() noexcept {
+    if (was_heard_) connection_.talk().forget();
+    was_heard_ = false;
+  }
 
   void wait_for_turn() noexcept {
     const auto now = Clock::now();

@@ -23,6 +23,10 @@ constexpr double newest_share = 0.02;
 Vec3 device_from_service(const Vec3& v) noexcept { return {v.x, v.z, -v.y}; }
 Vec3 service_from_device(const Vec3& v) noexcept { return {v.x, -v.z, v.y}; }
 
+InverseForceKey other_than(InverseForceKey key) noexcept {
+  return key == InverseForceKey::Vector ? InverseForceKey::Values : InverseForceKey::Vector;
+}
+
 std::string words_of(const InverseVersion& version) {
   return std::to_string(version.major) + "." + std::to_string(version.minor);
 }
@@ -92,7 +96,8 @@ TroubleReport Inverse3Driver::open(const OpeningWatch&) {
   channel_ = std::move(opened.channel);
   force_key_ = opened.force_key;
   belief_ = {};
-  unanswered_ = unnamed_ = 0;
+  unanswered_ = unnamed_ = gripless_ = 0;
+  is_calibrated_ = true;
   has_grip_ = opened.inventory.grip_count > 0;
   state_ = {};
   take(opened.inventory);
@@ -108,7 +113,10 @@ DriverExchange Inverse3Driver::exchange(const Vec3& force_in_device_newton) noex
     return gone(DeviceTrouble::ServiceGone);
   if (hear(exchange.answer) == BusAnswer::Gone) return gone(DeviceTrouble::ServiceGone);
   if (unnamed_ > unnamed_most) return gone(DeviceTrouble::Unplugged);
-  if (belief_.ignored > ignored_most) return gone(DeviceTrouble::ServiceVersion);
+  if (belief_.ignored > ignored_most) {
+    if (belief_.was_changed) return gone(DeviceTrouble::ServiceVersion);
+    change_word();
+  }
   exchange.state = state_;
   return exchange;
 }
@@ -138,6 +146,7 @@ DriverAnswer Inverse3Driver::take(const HeardMessage& heard) noexcept {
 }
 
 DriverAnswer Inverse3Driver::take(const InverseMessage& message) noexcept {
+  gripless_ = message.grip_count == 0 ? gripless_ + 1 : 0;
   for (std::size_t i = 0; i < message.grip_count; ++i) take(message.grips[i]);
   const InverseArm* arm = message.arm_with(id_);
   unnamed_ = arm == nullptr ? unnamed_ + 1 : 0;
@@ -151,12 +160,17 @@ void Inverse3Driver::take(const InverseArm& arm) noexcept {
     state_.device_from_handle.translation_mm =
         millimetres_in_metre * device_from_service(*arm.cursor_m - middle_m);
   }
-  state_.is_homed = arm.is_calibrated.value_or(state_.is_homed);
+  is_calibrated_ = arm.is_calibrated.value_or(is_calibrated_);
+  // Nobody knows how a grip lies that says nothing, nor whether its buttons are held.
+  const bool is_grip_lost = has_grip_ && gripless_ > unnamed_most;
+  if (is_grip_lost) state_.buttons = 0;
+  state_.is_homed = is_calibrated_ && !is_grip_lost;
   if (arm.force_newton) believe(*arm.force_newton);
 }
 
 void Inverse3Driver::take(const InverseGrip& grip) noexcept {
-  if (grip.rotation) {
+  // One that comes later than the arm was opened would turn the saw at once.
+  if (grip.rotation && has_grip_) {
     const Vec3 axis = device_from_service({grip.rotation->x, grip.rotation->y, grip.rotation->z});
     state_.device_from_handle.rotation = Quat(grip.rotation->w, axis.x, axis.y, axis.z);
   }
@@ -169,17 +183,24 @@ void Inverse3Driver::believe(const Vec3& told_newton) noexcept {
   belief_.told += newest_share * (told - belief_.told);
   if (belief_.said > push_newton) state_.own_force_scale = belief_.told / belief_.said;
   belief_.ignored = said > push_newton && told < nothing_newton ? belief_.ignored + 1 : 0;
-  if (belief_.ignored <= ignored_most || belief_.was_changed) return;
-  // It did not understand: the other word, once.
-  force_key_ =
-      force_key_ == InverseForceKey::Vector ? InverseForceKey::Values : InverseForceKey::Vector;
+}
+
+void Inverse3Driver::change_word() noexcept {
+  static_cast<void>(say({0.0, 0.0, 0.0}));
+  force_key_ = other_than(force_key_);
   belief_ = {};
   belief_.was_changed = true;
 }
 
+/// Under both words: it may have understood the one and not told so. What is answered is heard, so
+/// that the service has read it before the channel goes.
 void Inverse3Driver::close() noexcept {
   if (!channel_) return;
-  static_cast<void>(say({0.0, 0.0, 0.0}));
+  for (int word = 0; word < 2; ++word) {
+    force_key_ = other_than(force_key_);
+    static_cast<void>(say({0.0, 0.0, 0.0}));
+    static_cast<void>(channel_->hear(state_within));
+  }
   channel_.reset();
 }
 

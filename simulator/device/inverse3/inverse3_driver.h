@@ -67,6 +67,8 @@ class Inverse3Driver final : public DeviceDriver {
   void take(const InverseArm& arm) noexcept;
   void take(const InverseGrip& grip) noexcept;
   void believe(const Vec3& told_newton) noexcept;
+  /// No force under the word that was not understood, and on with the other.
+  void change_word() noexcept;
 
   InverseAccess access_;
   std::string id_;
@@ -79,7 +81,10 @@ class Inverse3Driver final : public DeviceDriver {
   int unanswered_ = 0;
   /// States in a row that did not name it.
   int unnamed_ = 0;
+  /// A grip was there when it was opened: its rotation is the arm's. States in a row without one.
   bool has_grip_ = false;
+  int gripless_ = 0;
+  bool is_calibrated_ = true;
   DriverState state_;
 };
 

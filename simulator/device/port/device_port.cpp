@@ -91,7 +91,8 @@ void DevicePort::note(const PortStatistics& statistics, const DriverState& said)
   figures_.zeros = statistics.zeros;
   figures_.pushes_unanswered = statistics.pushes_unanswered;
   figures_.greatest_force_newton = statistics.greatest_force_newton;
-  figures_.calibration_age_s = std::chrono::duration<double>(statistics.calibrated_for).count();
+  if (statistics.calibrated_for)
+    figures_.calibration_age_s = std::chrono::duration<double>(*statistics.calibrated_for).count();
   figures_.own_force_scale = said.own_force_scale;
   figures_.round_trip_max_us = statistics.round_trips.greatest_us();
   if (statistics.exchanges % exchanges_per_look != 0) return;

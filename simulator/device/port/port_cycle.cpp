@@ -19,8 +19,7 @@ PortCycle::PortCycle(DeviceDriver& driver, Time now)
     : driver_(driver),
       pulse_(driver.description().pulse),
       has_motors_(driver.description().limits.has_value()),
-      heard_(now),
-      runs_since_(now) {
+      heard_(now) {
   state_.phase = PortPhase::Homing;
 }
 
@@ -60,9 +59,11 @@ void PortCycle::take(const DriverExchange& exchange, Time before, Time after) no
   state_.packet = ++statistics_.packets;
   state_.said = exchange.state;
   state_.phase = exchange.state.is_homed ? PortPhase::Running : PortPhase::Homing;
-  if (state_.phase == PortPhase::Homing) runs_since_ = after;
-  statistics_.calibrated_for =
-      std::chrono::duration_cast<std::chrono::microseconds>(after - runs_since_);
+  if (state_.phase == PortPhase::Homing) away_at_ = after;
+  if (away_at_) {
+    statistics_.calibrated_for =
+        std::chrono::duration_cast<std::chrono::microseconds>(after - *away_at_);
+  }
   if (has_motors_ && statistics_.packets % answers_judged == 0) {
     const bool is_slow = statistics_.round_trips.at_us(0.5) > slow_above_us;
     state_.trouble = is_slow ? DeviceTrouble::TooSlow : DeviceTrouble::None;

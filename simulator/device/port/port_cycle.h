@@ -12,6 +12,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "simulator/base/time_spread.h"
 #include "simulator/device/port/dead_man_switch.h"
@@ -40,8 +41,8 @@ struct PortStatistics {
   double greatest_force_newton = 0.0;
   /// Of what the device answered.
   TimeSpread round_trips;
-  /// Since it runs: it knows where its legs or joints are.
-  std::chrono::microseconds calibrated_for{0};
+  /// Since it was seen to come home.
+  std::optional<std::chrono::microseconds> calibrated_for = std::nullopt;
 };
 
 class PortCycle {
@@ -82,8 +83,9 @@ class PortCycle {
   DeadManSwitch guard_;
   PortState state_;
   PortStatistics statistics_;
-  /// When it said something last, and since when it runs.
-  Time heard_, runs_since_;
+  /// When it said something last, and when it was not at home last, if it ever was not.
+  Time heard_;
+  std::optional<Time> away_at_;
   std::uint32_t garbled_in_a_row_ = 0;
 };
 

@@ -18,8 +18,8 @@ using simulator::Bone;
 
 constexpr std::uint64_t seeds = 200;
 
-/// An operation on a bone coarse enough that hundreds of hands take no time; planes do not depend on the
-/// edges' length.
+/// An operation on a bone coarse enough that hundreds of hands take no time; planes do not depend
+/// on the edges' length.
 struct Patient {
   explicit Patient(const char* operation = "silver") : scenario(load_shipped_scenario(operation)) {
     scenario.patient.edge_mm = 1.5;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -18,9 +19,13 @@ struct ServiceModel {
   /// Of what it is told it gives so much.
   double force_scale = 1.0;
   bool is_absent = false, is_gone = false, is_silent = false, names_arm = true, tells_force = true;
+  /// Says that it gives nothing, whatever it was told.
+  bool mutes_force = false;
   /// Said in place of a state.
   std::optional<std::string> rubbish;
   int told = 0;
+  /// By word, what was told last upwards [N].
+  std::map<std::string, double> last_told;
   std::deque<std::string> to_say;
 
   ServiceModel() { arms.push_back(arm("049D", "inverse3")); }
@@ -38,6 +43,11 @@ struct ServiceModel {
   nlohmann::json& state() { return arms[0]["state"]; }
   /// Of the force that it gives now [N, its own frame].
   double force(const char* axis) { return state()["current_cursor_force"][axis].get<double>(); }
+
+  double last_of(const std::string& key) const {
+    const auto found = last_told.find(key);
+    return found == last_told.end() ? 0.0 : found->second;
+  }
 
   void say_all(bool is_whole) {
     nlohmann::json all{{"inverse3", nlohmann::json::array()}, {"wireless_verse_grip", grips}};
@@ -61,7 +71,8 @@ struct ServiceModel {
     if (command.contains("inverse3")) {
       const nlohmann::json& force = command["inverse3"][0]["commands"]["set_cursor_force"];
       for (const auto& [key, value] : force.items()) {
-        if (!keys.contains(key)) continue;
+        last_told[key] = value["z"].get<double>();
+        if (!keys.contains(key) || mutes_force) continue;
         for (const char* axis : {"x", "y", "z"})
           state()["current_cursor_force"][axis] = force_scale * value[axis].get<double>();
       }

@@ -8,6 +8,7 @@ import pathlib
 import shutil
 import tempfile
 import unittest
+import unittest.mock
 
 from hallux_command import (BAD_INPUT, CHECK_FAILED, DONE, NO_DISPLAY, PROGRAM, WRONG_USAGE, CommandTest, coarse_silver)
 from inverse_service import InverseService
@@ -402,8 +403,16 @@ class Inverse(CommandTest):
         device = answer["quality"]["device"]
         self.assertEqual((device["kind"], device["class"], device["library"]), ("inverse3", "arm3", "libwebsockets"))
         self.assertIn("own_force_scale", device)
-        self.assertGreater(device["calibration_age_s"], 0.0)
+        self.assertIsNone(device["calibration_age_s"], "it was calibrated before anybody looked")
         self.assertIs(self.ask("replay", answer["attempt"])["identical"], True)
+
+    def test_no_proxy_is_asked_for_what_is_on_this_machine(self):
+        self.serve()
+        with unittest.mock.patch.dict(os.environ, {"http_proxy": "http://127.0.0.1:9", "https_proxy": "http://127.0.0.1:9"}):
+            self.assertTrue(self.listed()["inverse3"]["usable"])
+
+    def test_a_port_belongs_to_the_service_and_not_to_one_arm(self):
+        self.expect_refusal(BAD_INPUT, ["set it for inverse3"], "devices", "set", "inverse3-049D", "service_port", "2000")
 
     def test_a_port_that_is_none_is_refused(self):
         for port in ("80", "70000", "2000.5", "x"):
@@ -425,6 +434,7 @@ class Operated(ServedTest):
                          ("falcon", "arm3", "libusb", 1.0))
         self.assertGreater(device["packets"], 200)
         self.assertGreater(device["round_trip_us"]["p99"], 0)
+        self.assertGreater(device["calibration_age_s"], 1.0)
         self.assertEqual(answer["quality"]["force_scale"], 0.18)
         self.assertIs(self.ask("replay", answer["attempt"])["identical"], True)
         self.assertEqual(self.query("SELECT device_class, pacing FROM attempt"), [("arm3", "real_time")])

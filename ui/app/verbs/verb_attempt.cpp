@@ -183,7 +183,7 @@ ordered_json points_json(const std::optional<std::int64_t>& milli) {
 
 /// The result that stands, with what it was made with: the signed score's, or the machine's.
 ordered_json result_json(const database::AttemptHeader& header) {
-  if (!header.score_milli) return nullptr;
+  if (!header.score_milli || header.state == database::AttemptState::Void) return nullptr;
   const std::int64_t milli = header.decided_milli.value_or(*header.score_milli);
   const assessment::PassAnswer answer = assessment::pass_answer(header.pass, milli);
   return {{"score", points_json(milli)},

@@ -39,9 +39,10 @@ database::AttemptHeader header_about(database::AttemptDesk& desk, const database
   return header;
 }
 
-/// Somebody stands for the score in force.
-bool is_signed(const database::AttemptHeader& header) noexcept {
-  return header.decided_milli.has_value() && header.decision_is_of_score_in_force;
+/// Somebody stands for the machine's score as it is.
+bool is_confirmed(const database::AttemptHeader& header) noexcept {
+  return header.decision == database::DecisionKind::Confirmed &&
+         header.decision_is_of_score_in_force;
 }
 
 ExitCode score_on(const VerbContext& context, const std::string& id) {
@@ -63,7 +64,7 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
                              {"scenario", material.header.scenario_name},
                              {"state", database::name_of(material.header.state)},
                              {"stored", is_stored}};
-      answer.update(card_summary_json(card, is_signed(header)));
+      answer.update(card_summary_json(card, is_confirmed(header)));
       answer["ledger"] = ledger_json(card);
       write_json(context.out, answer);
     } else {

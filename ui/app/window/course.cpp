@@ -242,15 +242,24 @@ void Course::acknowledge(std::shared_ptr<SignedInSession> signed_in,
 
 void Course::keep_hand(const HandPreferences& hand) {
   if (!signed_in_) return;
+  hand_to_keep_ = {signed_in_, kept_from(hand)};
+  if (!is_keeping_hand_) keep_next_hand();
+}
+
+void Course::keep_next_hand() {
+  if (!hand_to_keep_) return;
+  is_keeping_hand_ = true;
   shell_.background().start(
       std::string(texts_.text("course.keeping_hand")),
-      [signed_in = signed_in_, kept = kept_from(hand)](WorkReport&) {
-        signed_in->in_turn(
-            [&](database::Session& session, auto&) { trainee_of(session).choose_hand(kept); });
+      [kept = *std::exchange(hand_to_keep_, std::nullopt)](WorkReport&) {
+        kept.whose->in_turn(
+            [&](database::Session& session, auto&) { trainee_of(session).choose_hand(kept.hand); });
       },
       [this, failed = std::string(texts_.text("course.hand_unkept"))](WorkEnd end,
                                                                       const std::string& reason) {
         if (end == WorkEnd::Failed) shell_.say({Meaning::Warn, failed, sentence_of(reason)});
+        is_keeping_hand_ = false;
+        keep_next_hand();
       });
 }
 

@@ -62,8 +62,9 @@ class Course : public Navigator {
   void acknowledge(std::shared_ptr<SignedInSession> signed_in, const database::Notice& notice);
   /// Of the devices that are chosen now.
   LendHands lend_hands() const;
-  /// Keeps at the person's desk how they hold the saw from now on.
+  /// Keeps at the person's desk how they hold the saw from now on: one choice after the other.
   void keep_hand(const HandPreferences& hand);
+  void keep_next_hand();
   void lock();
   void sign_out();
 
@@ -73,6 +74,13 @@ class Course : public Navigator {
   std::shared_ptr<OwnStation> station_;
   database::PasswordCost cost_;
   std::shared_ptr<SignedInSession> signed_in_;
+  /// Whose, and how; the newest that is not kept yet.
+  struct HandToKeep {
+    std::shared_ptr<SignedInSession> whose;
+    database::HandSettings hand;
+  };
+  std::optional<HandToKeep> hand_to_keep_;
+  bool is_keeping_hand_ = false;
   std::shared_ptr<InboxScreen::Drafts> answer_drafts_;
   std::shared_ptr<MadeReplays> made_replays_;
   PatientPictures pictures_;

@@ -148,6 +148,7 @@ assessment::LearningState learning_in(const database::OperationStanding& standin
   std::stable_sort(begun.begin(), begun.end(),
                    [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<RunAnswer> runs;
+  runs.reserve(begun.size());
   for (const auto& [begun_s, run] : begun) runs.push_back(run);
   return learning_by(runs);
 }

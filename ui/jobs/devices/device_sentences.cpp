@@ -97,8 +97,8 @@ std::string mend_of(const simulator::TroubleReport& trouble, const simulator::Ki
     case DeviceTrouble::NotCalibrated:
       return kind.kind == DeviceKind::Inverse3 ? inverse_home : arm_home;
     case DeviceTrouble::NoService:
-      return "start its maker's service; where it listens elsewhere: hallux devices set " + id +
-             " service_port PORT";
+      return "start its maker's service; where it listens elsewhere: hallux devices set " +
+             std::string(kind.id) + " service_port PORT";
     case DeviceTrouble::ServiceVersion:
       return "install a version 3.1 to 3.5 of the service";
     case DeviceTrouble::BadRecord:

@@ -108,6 +108,10 @@ const DeviceKey& key_named(const std::string& id, const std::string& key) {
   const auto found = std::find_if(keys.begin(), keys.end(), [&](const DeviceKey& each) {
     return each.name == key && (each.kind.empty() || each.kind == kind->id);
   });
+  if (found != keys.end() && found->name == port_key && id != kind->id) {
+    throw scenarios::ScenarioError(id + ": one service speaks for all of its kind; set it for " +
+                                   std::string(kind->id));
+  }
   if (found != keys.end()) return *found;
   std::string all;
   for (const DeviceKey& each : keys) {

@@ -105,14 +105,15 @@ bool chosen_in_line(Ui& ui, Rect& rest, std::string_view label,
   return segmented(ui, label, track, words, chosen);
 }
 
-/// As it is set for the station, or a person's own.
-void choose_own(Ui& ui, Rect& rest, const Steps& steps, std::optional<double>& own) {
+/// As it is set for the station, or a person's own; whether they chose otherwise.
+bool choose_own(Ui& ui, Rect& rest, const Steps& steps, std::optional<double>& own) {
   std::array<std::string_view, 5> words{ui.text("devices.own.none")};
   std::copy(steps.words.begin(), steps.words.end(), words.begin() + 1);
   int chosen = own ? 1 + step_of(steps, *own) : 0;
-  if (!chosen_in_line(ui, rest, steps.own_label, words, chosen)) return;
+  if (!chosen_in_line(ui, rest, steps.own_label, words, chosen)) return false;
   own = chosen == 0 ? std::nullopt
                     : std::optional(steps.values[static_cast<std::size_t>(chosen - 1)]);
+  return true;
 }
 
 }  // namespace
@@ -232,10 +233,11 @@ void DevicesScreen::draw_settings(Ui& ui, Rect& rest, const Device& device, Shel
   };
   HandPreferences& hand = shell.hand();
   setting(motion_steps, set_now.motion_scale);
-  choose_own(ui, rest, motion_steps, hand.motion_scale);
+  // What is felt now is felt as it was chosen before.
+  if (choose_own(ui, rest, motion_steps, hand.motion_scale)) felt_.reset();
   if (kind.device_class != "rate") {
     setting(force_steps, set_now.force_share);
-    choose_own(ui, rest, force_steps, hand.force_share);
+    if (choose_own(ui, rest, force_steps, hand.force_share)) felt_.reset();
   }
   take_top(rest, 6.0F);
 }

@@ -90,7 +90,8 @@ void add_device_lines(std::vector<RecordingLine>& lines, const Texts& texts,
                    {"late", grouped(static_cast<long>(figures.late_packets))},
                    {"bad", grouped(static_cast<long>(figures.bad_packets))}}));
     add("result.recording.motion", "× " + fixed_text(quality.device->motion_scale, 2));
-    add("result.recording.calibrated", clock_text(figures.calibration_age_s));
+    if (figures.calibration_age_s)
+      add("result.recording.calibrated", clock_text(*figures.calibration_age_s));
     if (figures.own_force_scale)
       add("result.recording.own_scale", whole(100.0 * *figures.own_force_scale) + " %");
   }

@@ -59,6 +59,41 @@ TEST_F(PlayedInverse, AGripTurnsIt) {
   EXPECT_LT(length_of(turned - Vec3(0.0, 0.0, -1.0)), 1e-12) << "right becomes away";
 }
 
+TEST_F(PlayedInverse, AGripThatIsGoneHoldsNoButtonAndTheArmIsAway) {
+  const nlohmann::json grip = {{"device_id", "1"},
+                               {"state",
+                                {{"orientation", {{"w", 1.0}, {"x", 0.0}, {"y", 0.0}, {"z", 0.0}}},
+                                 {"buttons", {{"a", true}, {"b", false}, {"c", false}}}}}};
+  model_.grips.push_back(grip);
+  ASSERT_FALSE(opened());
+  EXPECT_EQ(exchanged(1).state.buttons, 1U);
+  model_.grips.clear();
+  EXPECT_TRUE(exchanged(10).state.is_homed) << "parts may be absent";
+  const DriverState lost = exchanged(60).state;
+  EXPECT_EQ(lost.buttons, 0U);
+  EXPECT_FALSE(lost.is_homed);
+  model_.grips.push_back(grip);
+  EXPECT_TRUE(exchanged(1).state.is_homed);
+}
+
+TEST_F(PlayedInverse, AGripThatComesLaterTurnsNothing) {
+  ASSERT_FALSE(opened());
+  model_.grips.push_back(
+      {{"device_id", "1"},
+       {"state", {{"orientation", {{"w", 0.0}, {"x", 1.0}, {"y", 0.0}, {"z", 0.0}}}}}});
+  EXPECT_EQ(exchanged(5).state.device_from_handle.rotation, Quat(1.0, 0.0, 0.0, 0.0));
+}
+
+TEST_F(PlayedInverse, NoForceIsLeftUnderAWordThatWasNotAnswered) {
+  // It understands both, and says nothing of what it gives.
+  model_.mutes_force = true;
+  ASSERT_FALSE(opened());
+  exchanged(30, {0.0, 3.0, 0.0});
+  EXPECT_NE(model_.last_of("values"), model_.last_of("vector"));
+  driver_.close();
+  for (const char* key : {"values", "vector"}) EXPECT_EQ(model_.last_of(key), 0.0) << key;
+}
+
 TEST_F(PlayedInverse, TheWordForAForceIsFoundByWhatItGives) {
   for (const char* key : {"vector", "values"}) {
     for (const char* version : {"3.1.0", "3.5.0"}) {
