@@ -93,11 +93,10 @@ std::optional<Sight> look_along(const ReferenceFace& face, const Target& target,
   return Sight{plane, *region};
 }
 
-/// Of a face that lies in the bone.
-Sight must_see(std::optional<Sight> seen, const Target& target) {
+/// Of a face that lies in the bone; `else_why` ends the refusal.
+Sight must_see(std::optional<Sight> seen, const Target& target, const std::string& else_why) {
   if (seen) return *std::move(seen);
-  throw ScenarioError("cut \"" + target.cut.name + "\": no hand meets the bone with seed " +
-                      std::to_string(target.seed) + "; choose another seed");
+  throw ScenarioError("cut \"" + target.cut.name + "\": " + else_why);
 }
 
 /// A hand that sees its plane miss the bone aims again, so often at most.
@@ -278,12 +277,15 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
   };
   const auto aim_one = [&](std::size_t index) {
     const Target target = target_of(scenario, plan, index, known, seed);
-    const Sight planned = must_see(look_along(target.cut.face, target, known), target);
+    const Sight planned = must_see(look_along(target.cut.face, target, known), target,
+                                   "its planned face misses the bone; mend the plan");
     AimedCut& aimed = aims[index];
     std::optional<Sight> seen;
     for (int times = 0; !seen && times < aims_most; ++times)
       seen = aim_at(aimed_again(target, times), planned, aimed);
-    const Sight met = must_see(std::move(seen), target);
+    const Sight met = must_see(std::move(seen), target,
+                               "a hand that errs so far never meets the bone with seed " +
+                                   std::to_string(seed) + "; choose another seed");
     aimed.plane = met.plane;
     aimed.region = met.region;
     plan_stop(plan, skill, target, aimed);

@@ -119,17 +119,18 @@ TEST(FeelingHand, DeclaresEachStepInOrderAndFinishesLast) {
   EXPECT_LT(recording.tape.size(), static_cast<std::size_t>(FeelingHand::last_tick / 2));
 }
 
-TEST(FeelingHand, WhosePlaneMissesTheBoneIsRefused) {
+TEST(FeelingHand, ThatNeverMeetsTheBoneIsRefused) {
   Patient patient;
   HandSkill far = hand_skill("expert");
   far.location_mean_mm = 100.0;
   // Half of such hands aim beyond the bone's medial side, the others beyond its lateral side: all
   // miss.
   EXPECT_EQ(refusal_of(patient, far, 5),
-            "the hand's plane misses the bone for seed 5; choose another seed");
+            "cut \"eminence\": a hand that errs so far never meets the bone with seed 5; choose "
+            "another seed");
   patient.plan.cuts.at(0).face.offset_mm += 50.0;
   EXPECT_EQ(refusal_of(patient, hand_skill("expert"), 5),
-            "the hand's plane misses the bone for seed 5; choose another seed");
+            "cut \"eminence\": its planned face misses the bone; mend the plan");
 }
 
 TEST(FeelingHand, RefusesASideItCannotComeFrom) {
