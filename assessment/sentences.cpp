@@ -28,7 +28,7 @@ using scenarios::Scenario;
 constexpr std::size_t sentence_limit = 3;
 
 /// A count and a share have no unit.
-std::string with_unit(std::string number, const std::string& unit) {
+std::string with_unit(const std::string& number, const std::string& unit) {
   return unit.empty() ? number : number + " " + unit;
 }
 

@@ -117,7 +117,7 @@ ImportReport import_attempts(database::AdministratorDesk& desk, const std::files
   ImportReport report;
   for (std::size_t i = 0; i < folders.size(); ++i) {
     const Progress part = one_of(whole, i, folders.size());
-    const StageProgress within = [&part](const std::string&) { return part; };
+    const StageProgress within = [&part](const std::string&) { return Progress(part); };
     const std::string stopped = "stopped; " + std::to_string(report.imported.size()) +
                                 " attempts were taken in, each of them whole";
     cancelled_as(stopped, [&] {
