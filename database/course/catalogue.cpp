@@ -15,9 +15,9 @@ namespace hallux::database {
 
 namespace {
 
-// What a text says of its own review is no review.
+// What a text says of its own review is no review: that column is not read.
 constexpr const char* version_columns =
-    "SELECT v.scenario_version_id, v.name, v.version, 0 AS is_reviewed, s.state, "
+    "SELECT v.scenario_version_id, v.name, v.version, s.state, "
     "coalesce(d.login, ''), s.since_utc, (SELECT count(*) FROM attempt a "
     "WHERE a.scenario_version_id = v.scenario_version_id) "
     "FROM scenario_version v JOIN scenario_state s ON s.scenario_state_id = "
@@ -28,8 +28,8 @@ constexpr const char* version_columns =
 ScenarioVersion version_in(SQLite::Statement& row) {
   ScenarioVersion version;
   version.state = ScenarioState::Retired;  // Under a name that is unknown nobody begins it.
-  read_columns(row, 0, version.id, version.name, version.version, version.is_reviewed,
-               version.state, version.changed_by, version.since_utc, version.attempts);
+  read_columns(row, 0, version.id, version.name, version.version, version.state, version.changed_by,
+               version.since_utc, version.attempts);
   return version;
 }
 

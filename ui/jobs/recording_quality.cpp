@@ -7,6 +7,7 @@
 
 #include "database/recording/certificate_json.h"
 #include "simulator/device/force_output.h"
+#include "ui/jobs/optional_json.h"
 
 namespace hallux::ui {
 
@@ -41,10 +42,6 @@ std::uint32_t limits_from_names(const std::vector<std::string>& found) {
     }
   }
   return bits;
-}
-
-nlohmann::ordered_json or_null(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json();
 }
 
 /// Certificates of before it was told have none.

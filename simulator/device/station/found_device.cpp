@@ -43,6 +43,8 @@ std::size_t count_like(const std::vector<FoundDevice>& devices, const FoundDevic
 
 /// A closed protocol cannot be helped, a right can: the first that is true is told.
 TroubleReport trouble_of(const FoundDevice& device, const DeviceSettings& settings) {
+  // What a service speaks for has no node, and needs no setting but the service's.
+  if (device.service_port != 0) return device.trouble;
   if (facts_of(device.kind).device_class.empty())
     return {DeviceTrouble::ClosedProtocol, device.address, {}};
   if (TroubleReport trouble = trouble_with_node(device.address)) return trouble;
@@ -157,10 +159,8 @@ std::vector<FoundDevice> find_devices(Buses& buses, const StationSettings& setti
     return std::tie(a.kind, a.serial, a.bus_path) < std::tie(b.kind, b.serial, b.bus_path);
   });
   name_apart(devices);
-  for (FoundDevice& each : devices) {
-    if (each.kind != DeviceKind::Inverse3)
-      each.trouble = trouble_of(each, settings.of(each.id, std::string(facts_of(each.kind).id)));
-  }
+  for (FoundDevice& each : devices)
+    each.trouble = trouble_of(each, settings.of(each.id, std::string(facts_of(each.kind).id)));
   FoundDevice mouse;
   mouse.id = facts_of(DeviceKind::Mouse).id;
   mouse.name = facts_of(DeviceKind::Mouse).name;

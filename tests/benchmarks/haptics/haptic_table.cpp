@@ -4,7 +4,6 @@
 //
 // Tables are printed as Markdown and written as CSV, the plots of docs/haptics.md as SVG. All but
 // the last table is computed in virtual time and the same on every machine.
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <string>
@@ -12,6 +11,7 @@
 #include "simulator/device/modelled/modelled_arm.h"
 #include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/report/table.h"
+#include "tests/benchmarks/report/table_program.h"
 #include "tests/screenshots/haptics/haptic_pictures.h"
 #include "tests/simulator/device/wall_experiments.h"
 
@@ -114,18 +114,6 @@ void run(const std::filesystem::path& folder) {
 }  // namespace hallux::benchmarks
 
 int main(int count, char** words) {
-  std::filesystem::path folder = HALLUX_RESULTS;
-  if (count == 3 && std::string(words[1]) == "--out") {
-    folder = words[2];
-  } else if (count != 1) {
-    std::cerr << "usage: haptic_table [--out DIR]\n";
-    return 2;
-  }
-  try {
-    hallux::benchmarks::run(folder);
-  } catch (const std::exception& error) {
-    std::cerr << "haptic_table: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return hallux::benchmarks::table_program(count, words, "haptic_table", HALLUX_RESULTS,
+                                           hallux::benchmarks::run);
 }

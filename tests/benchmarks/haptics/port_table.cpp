@@ -18,6 +18,7 @@
 #include "simulator/device/port_device.h"
 #include "tests/benchmarks/report/percentiles.h"
 #include "tests/benchmarks/report/table.h"
+#include "tests/benchmarks/report/table_program.h"
 
 namespace hallux::benchmarks {
 
@@ -182,18 +183,6 @@ void run(const std::filesystem::path& folder) {
 }  // namespace hallux::benchmarks
 
 int main(int count, char** words) {
-  std::filesystem::path folder = HALLUX_RESULTS;
-  if (count == 3 && std::string(words[1]) == "--out") {
-    folder = words[2];
-  } else if (count != 1) {
-    std::cerr << "usage: port_table [--out DIR]\n";
-    return 2;
-  }
-  try {
-    hallux::benchmarks::run(folder);
-  } catch (const std::exception& error) {
-    std::cerr << "port_table: " << error.what() << '\n';
-    return 1;
-  }
-  return 0;
+  return hallux::benchmarks::table_program(count, words, "port_table", HALLUX_RESULTS,
+                                           hallux::benchmarks::run);
 }

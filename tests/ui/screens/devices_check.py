@@ -62,9 +62,11 @@ def try_in_the_hand(hand, person, take_picture):
     hand.press("devices.second")
 
 
-def begin_practice(hand):
+def begin_practice(hand, take_picture):
     hand.press("nav.operations")
     hand.press("operations.card.silver")
+    hand.wait_for("brief.law")
+    take_picture("briefing_with_arm")
     hand.press("brief.begin")
     hand.press("operate.begin")
     hand.wait_for("operate.panel.tool")
@@ -75,7 +77,7 @@ def is_running(person):
 
 
 def operate(hand, person, bus, place, take_picture):
-    begin_practice(hand)
+    begin_practice(hand, take_picture)
     time.sleep(SOON_S)
     person.press("space")
     time.sleep(SOON_S)

@@ -19,13 +19,8 @@ void had_or_not_usable(const std::function<void()>& have) {
 }
 
 simulator::FoundDevice usable_device(simulator::Station& station, const std::string& id) {
-  std::vector<simulator::FoundDevice> devices = station.look();
-  // Its service tells what is plugged in: where that is away, nobody knows.
-  const simulator::KindFacts& inverse = facts_of(simulator::DeviceKind::Inverse3);
-  if (id == inverse.id && device_with(devices, id) == nullptr)
-    devices.push_back(simulator::unserved_inverse(service_port(station.settings())));
-  const simulator::FoundDevice* found = device_with(devices, id);
-  if (found == nullptr) {
+  std::optional<simulator::FoundDevice> found = found_now(station, id);
+  if (!found) {
     throw VerbError(ExitCode::NoDisplay,
                     terminal_text(id) + ": is not plugged in; `hallux devices` lists what is");
   }
@@ -34,7 +29,7 @@ simulator::FoundDevice usable_device(simulator::Station& station, const std::str
   had_or_not_usable([&] {
     if (!found->is_usable()) throw DeviceRefused(found->trouble, *found);
   });
-  return *found;
+  return *std::move(found);
 }
 
 }  // namespace hallux::ui

@@ -15,6 +15,7 @@
 
 #include "simulator/base/progress.h"
 #include "ui/app/terminal/exit_code.h"
+#include "ui/jobs/optional_json.h"
 
 namespace CLI {
 class App;
@@ -71,12 +72,6 @@ void write_json(std::ostream& out, const nlohmann::ordered_json& value);
 /// What was asked for: the value with --json, else what `print` writes.
 void answer(const VerbContext& context, const nlohmann::ordered_json& value,
             const std::function<void(std::ostream& out)>& print);
-
-template <typename Value>
-nlohmann::ordered_json or_null(const std::optional<Value>& value) {
-  if (!value) return nullptr;
-  return *value;
-}
 
 /// A list that was asked for: with --json one array of what `json_of` makes of each, else each as
 /// `print(out, one)` writes it.

@@ -104,8 +104,7 @@ ordered_json test_json(const std::string& id, const DeviceTestResult& result) {
           {"rate_hz", result.rate_hz},
           {"homed", result.is_homed},
           {"greatest_force_newton", figures.greatest_force_newton},
-          {"own_force_scale",
-           figures.own_force_scale ? ordered_json(*figures.own_force_scale) : ordered_json()},
+          {"own_force_scale", or_null(figures.own_force_scale)},
           {"fault", result.fault ? ordered_json(id_of(result.fault.trouble)) : ordered_json()},
           {"zero_after_packets", result.zero_after_packets}};
 }

@@ -15,6 +15,14 @@ using simulator::TroubleReport;
 DeviceRefused::DeviceRefused(const TroubleReport& trouble, const simulator::FoundDevice& device)
     : std::runtime_error(trouble_words(trouble, facts_of(device.kind), device.id)) {}
 
+std::optional<simulator::FoundDevice> found_now(simulator::Station& station,
+                                                const std::string& id) {
+  const std::vector<simulator::FoundDevice> devices = station.look();
+  if (const simulator::FoundDevice* found = device_with(devices, id)) return *found;
+  if (id != facts_of(simulator::DeviceKind::Inverse3).id) return std::nullopt;
+  return simulator::unserved_inverse(service_port(station.settings()));
+}
+
 void bring_home(simulator::Station& station, const simulator::FoundDevice& device,
                 const Progress& progress) {
   const std::shared_ptr<simulator::DevicePort> port = station.open(device.id);

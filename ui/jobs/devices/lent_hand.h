@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -36,6 +37,10 @@ struct LentHands {
 /// errors  DeviceRefused; Cancelled
 /// thread  any but the window's
 using LendHands = std::function<LentHands(const HandStart& start, const Progress& progress)>;
+
+/// The device with that id as it is now; nothing where it is not plugged in. An Inverse3 is found
+/// with its trouble where its service is away, which alone could tell.
+std::optional<simulator::FoundDevice> found_now(simulator::Station& station, const std::string& id);
 
 /// Opens a device, and waits until somebody has brought its grip home.
 /// errors  DeviceRefused; Cancelled

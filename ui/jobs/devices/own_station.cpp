@@ -11,15 +11,14 @@ namespace {
 
 /// errors  DeviceRefused
 simulator::FoundDevice usable(simulator::Station& station, const std::string& id) {
-  const std::vector<simulator::FoundDevice> devices = station.look();
-  const simulator::FoundDevice* found = device_with(devices, id);
-  if (found == nullptr) {
+  std::optional<simulator::FoundDevice> found = found_now(station, id);
+  if (!found) {
     throw DeviceRefused(id +
                         ": is not plugged in; plug it in, or choose another device under "
                         "Devices");
   }
   if (!found->is_usable()) throw DeviceRefused(found->trouble, *found);
-  return *found;
+  return *std::move(found);
 }
 
 }  // namespace
