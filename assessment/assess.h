@@ -1,6 +1,9 @@
 /// The whole way from a recording to a score card.
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "assessment/measurement.h"
@@ -25,17 +28,25 @@ struct Examination {
   database::ScoreCard card;
 };
 
+/// device_class  of what the saw was led with; the rubric may have knots of its own for it
 /// `opened`, where it is given, are kept fields of the recording that save stamping them: for
 /// showing, never for a score that is stored, since nothing seals what was kept beside the
 /// recording.
 /// errors  Cancelled; ScenarioError where the scenario does not fit the bone (see plan_on)
 /// thread  any; the same arguments give the same card
 Examination assess_fully(const scenarios::Scenario& scenario, const simulator::Bone& bone,
-                         const simulator::Recording& recording, const Progress& progress = {},
-                         const OpenedFields* opened = nullptr);
+                         const simulator::Recording& recording, std::string_view device_class,
+                         const Progress& progress = {}, const OpenedFields* opened = nullptr);
+
+/// The card that these measurements earn by the scenario's rubric: what a change of knots, weights
+/// or gates needs.
+database::ScoreCard score_measurements(const scenarios::Scenario& scenario,
+                                       std::span<const Measurement> measurements,
+                                       std::string_view device_class, std::int32_t engine);
 
 /// The card alone.
 database::ScoreCard assess(const scenarios::Scenario& scenario, const simulator::Bone& bone,
-                           const simulator::Recording& recording, const Progress& progress = {});
+                           const simulator::Recording& recording, std::string_view device_class,
+                           const Progress& progress = {});
 
 }  // namespace hallux::assessment

@@ -45,11 +45,20 @@ GroupScore* find_group(ScoreCard& card, const std::string& name) noexcept {
 
 void place_line(LedgerLine& line, const Measurement& measurement) {
   line.value = measurement.value;
-  line.is_measured = measurement.is_measured;
+  line.is_measured = measurement.is_measured();
   line.start_us = measurement.start_us;
   line.end_us = measurement.end_us;
   const Vec3& place = measurement.place_in_bone_mm;
   line.place_in_bone_mm = {place.x, place.y, place.z};
+}
+
+/// What was not done earns nothing; what there was nothing of to measure, all that the work is
+/// worth.
+std::int64_t earned_milli(const RubricItem& item, const Measurement& measurement) {
+  if (!measurement.is_measured() && !measurement.is_excused()) return 0;
+  const std::int64_t points =
+      measurement.is_measured() ? points_milli(item, measurement.value) : item.weight_milli;
+  return std::llround(measurement.done_fraction * static_cast<double>(points));
 }
 
 LedgerLine item_line(const RubricItem& item, const Measurement& measurement) {
@@ -62,10 +71,7 @@ LedgerLine item_line(const RubricItem& item, const Measurement& measurement) {
   place_line(line, measurement);
   line.target = item.full;
   if (item.is_band) line.target = line.value < item.full_low ? item.full_low : item.full_high;
-  const double points = static_cast<double>(points_milli(item, measurement.value));
-  const std::int64_t earned_milli =
-      measurement.is_measured ? std::llround(measurement.done_fraction * points) : 0;
-  line.points_lost_milli = item.weight_milli - earned_milli;
+  line.points_lost_milli = item.weight_milli - earned_milli(item, measurement);
   return line;
 }
 
@@ -110,7 +116,7 @@ GateResult gate_result(const Gate& gate, const Measurement* measurement) {
   result.cap_milli = gate.cap_milli;
   result.limit = gate.limit;
   result.unit = gate.unit;
-  if (measurement == nullptr || !measurement->is_measured) return result;
+  if (measurement == nullptr || !measurement->is_measured()) return result;
   result.value = measurement->value;
   result.is_triggered =
       gate.is_at_least ? measurement->value < gate.limit : measurement->value > gate.limit;
@@ -164,22 +170,22 @@ void add_shown_losses(ScoreCard& card) {
 
 const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const std::string& metric, const std::string& cut,
-                                    const std::string& hinge) noexcept {
+                                    const std::string& hinge, const std::string& zone) noexcept {
   for (const Measurement& measurement : measurements) {
     const bool is_wanted = measurement.metric == metric && measurement.cut == cut;
-    if (is_wanted && measurement.hinge == hinge) return &measurement;
+    if (is_wanted && measurement.hinge == hinge && measurement.zone == zone) return &measurement;
   }
   return nullptr;
 }
 
 const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const RubricItem& item) noexcept {
-  return find_measurement(measurements, item.metric, item.cut, item.hinge);
+  return find_measurement(measurements, item.metric, item.cut, item.hinge, item.zone);
 }
 
 const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const Gate& gate) noexcept {
-  return find_measurement(measurements, gate.metric, gate.cut, gate.hinge);
+  return find_measurement(measurements, gate.metric, gate.cut, gate.hinge, gate.zone);
 }
 
 std::vector<std::int64_t> scale_to_total(std::span<const std::int64_t> parts, std::int64_t scale,

@@ -36,10 +36,11 @@ const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const scenarios::RubricItem& item) noexcept;
 const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const scenarios::Gate& gate) noexcept;
-/// The same by names; one of cut and hinge is empty.
+/// The same by names; of cut, hinge and zone at most one is not empty.
 const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const std::string& metric, const std::string& cut,
-                                    const std::string& hinge = {}) noexcept;
+                                    const std::string& hinge = {},
+                                    const std::string& zone = {}) noexcept;
 
 /// `parts` scaled so that they add up to `total`, by largest remainders; ties go to the earlier
 /// part.

@@ -8,15 +8,17 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "assessment/blade_track.h"
+#include "assessment/make_measurement.h"
 #include "assessment/metrics/blade_flatness.h"
 #include "assessment/metrics/face_metrics.h"
 #include "assessment/metrics/resection.h"
 #include "assessment/number_text.h"
+#include "assessment/process/break_throughs.h"
 #include "scenarios/metric_names.h"
 #include "scenarios/site/bone_words.h"
-#include "simulator/base/units.h"
 
 namespace hallux::assessment {
 
@@ -24,30 +26,29 @@ namespace {
 
 using scenarios::Metric;
 using scenarios::PlannedCut;
-using simulator::Recording;
+
+bool is_along(const PlannedCut& planned) noexcept {
+  return planned.kind == scenarios::FaceKind::AlongAxis;
+}
 
 /// A cut along the bone is planned from landmarks of depth and exit; one across it is not.
 bool is_metric_of(const scenarios::MetricName& metric, const PlannedCut& planned) noexcept {
   using scenarios::MetricSubject;
-  if (metric.subject == MetricSubject::CutAlong)
-    return planned.kind == scenarios::FaceKind::AlongAxis;
+  if (metric.subject == MetricSubject::CutAlong) return is_along(planned);
+  if (metric.subject == MetricSubject::CutAcross) return !is_along(planned);
   return metric.subject == MetricSubject::Cut || metric.subject == MetricSubject::CutOrHinge;
 }
 
-/// A span of ticks, both ends included.
-struct Moment {
-  std::int64_t first_tick = 0, last_tick = 0;
-};
-
 Measurement measurement(const PlannedCut& planned, Metric metric, double value,
                         const Moment& moment, const Vec3& place_in_bone_mm) {
-  Measurement made;
-  made.metric = name_of(metric);
+  Measurement made = measured(metric, value, moment, place_in_bone_mm);
   made.cut = planned.name;
-  made.value = rounded_to_micro(value);
-  made.start_us = time_us_from_tick(moment.first_tick);
-  made.end_us = time_us_from_tick(moment.last_tick + 1);
-  made.place_in_bone_mm = place_in_bone_mm;
+  return made;
+}
+
+Measurement absent_of(const PlannedCut& planned, Metric metric, Absence why) {
+  Measurement made = absent(metric, why, planned.depth_point_in_bone_mm);
+  made.cut = planned.name;
   return made;
 }
 
@@ -55,12 +56,7 @@ std::vector<Measurement> nothing_measured(const PlannedCut& planned) {
   std::vector<Measurement> measurements;
   for (const scenarios::MetricName& metric : scenarios::known_metrics()) {
     if (!is_metric_of(metric, planned)) continue;
-    Measurement absent;
-    absent.metric = metric.name;
-    absent.cut = planned.name;
-    absent.is_measured = false;
-    absent.place_in_bone_mm = planned.depth_point_in_bone_mm;
-    measurements.push_back(absent);
+    measurements.push_back(absent_of(planned, metric.metric, Absence::NotMade));
   }
   return measurements;
 }
@@ -119,10 +115,12 @@ void add_harm(std::vector<Measurement>& measurements, const PlannedCut& planned,
 
 void add_flatness(std::vector<Measurement>& measurements, const PlannedCut& planned,
                   const std::optional<Flatness>& flatness) {
-  const Flatness known = flatness.value_or(Flatness{});
-  measurements.push_back(measurement(planned, Metric::FlatnessMm, known.flatness_mm,
-                                     {known.tick, known.tick}, known.point_in_bone_mm));
-  measurements.back().is_measured = flatness.has_value();
+  if (!flatness) {
+    measurements.push_back(absent_of(planned, Metric::FlatnessMm, Absence::NotMade));
+    return;
+  }
+  measurements.push_back(measurement(planned, Metric::FlatnessMm, flatness->flatness_mm,
+                                     {flatness->tick, flatness->tick}, flatness->point_in_bone_mm));
 }
 
 /// How far the face lies beyond the plan where it is deepest, and where it is shallowest, in the
@@ -140,21 +138,101 @@ std::string edge_text(const CutFace& face, const FacePlane& planned) {
   return "there " + said(*deep) + ", opposite " + said(*shallow);
 }
 
-/// angle_deg and location_mm.
+/// Turned in one plane of the bone, with the edge that lies further distal.
+Measurement tilt(const PlannedCut& planned, Metric metric, double tilt_deg, const Moment& moment,
+                 const char* positive_edge, const char* negative_edge) {
+  Measurement made = measurement(planned, metric, tilt_deg, moment, planned.entry_point_in_bone_mm);
+  made.direction = tilt_deg >= 0.0 ? positive_edge : negative_edge;
+  return made;
+}
+
+/// Where a face begins or ends: along the bone's x where it lies across the bone, else towards the
+/// waste.
+Measurement offset(const PlannedCut& planned, Metric metric, double offset_mm, const Vec3& towards,
+                   const Moment& moment, const Vec3& place_in_bone_mm) {
+  Measurement made = measurement(planned, metric, offset_mm, moment, place_in_bone_mm);
+  made.direction = error_direction_text(offset_mm, towards);
+  return made;
+}
+
+/// angle_deg, the tilts, location_mm, mean_mm, rms_mm, entry_mm and exit_mm.
 void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const CutFace& face,
               const RebuiltBone& rebuilt) {
   const FacePlane plan{planned.face.normal, planned.face.offset_mm};
+  const Vec3 towards = is_along(planned) ? plan.normal : Vec3{1.0, 0.0, 0.0};
   const FaceMetrics metrics =
       measure_face(face.samples_in_bone_mm, face.plane, plan,
-                   {planned.depth_point_in_bone_mm, planned.exit_point_in_bone_mm, plan.normal});
+                   {planned.entry_point_in_bone_mm, planned.exit_point_in_bone_mm, towards});
   const std::int64_t frozen_tick = rebuilt.kerfs[static_cast<std::size_t>(face.kerf)].frozen_tick;
-  made.push_back(measurement(planned, Metric::AngleDeg, metrics.angle_deg,
-                             {frozen_tick, frozen_tick}, metrics.worst_point_in_bone_mm));
+  const Moment frozen{frozen_tick, frozen_tick};
+  const Moment cutting = cutting_moment(rebuilt, face.kerf);
+  made.push_back(measurement(planned, Metric::AngleDeg, metrics.angle_deg, frozen,
+                             metrics.worst_point_in_bone_mm));
   made.back().direction = scenarios::direction_text(deepest_direction(face.plane, plan));
-  if (planned.kind != scenarios::FaceKind::AlongAxis) made.back().detail = edge_text(face, plan);
-  made.push_back(measurement(planned, Metric::LocationMm, metrics.location_mm,
-                             cutting_moment(rebuilt, face.kerf), metrics.worst_point_in_bone_mm));
+  if (!is_along(planned)) {
+    made.back().detail = edge_text(face, plan);
+    made.push_back(tilt(planned, Metric::TransverseTiltDeg, metrics.transverse_deg, frozen,
+                        "medial", "lateral"));
+    made.push_back(
+        tilt(planned, Metric::SagittalTiltDeg, metrics.sagittal_deg, frozen, "plantar", "dorsal"));
+  }
+  made.push_back(measurement(planned, Metric::LocationMm, metrics.location_mm, cutting,
+                             metrics.worst_point_in_bone_mm));
   made.back().direction = error_direction_text(metrics.worst_mm, plan.normal);
+  for (const auto& [metric, value] :
+       {std::pair{Metric::MeanMm, metrics.mean_mm}, std::pair{Metric::RmsMm, metrics.rms_mm}})
+    made.push_back(measurement(planned, metric, value, cutting, metrics.worst_point_in_bone_mm));
+  made.push_back(offset(planned, Metric::EntryMm, metrics.entry_mm, towards, frozen,
+                        planned.entry_point_in_bone_mm));
+  made.push_back(offset(planned, Metric::ExitMm, metrics.exit_mm, towards, cutting,
+                        planned.exit_point_in_bone_mm));
+}
+
+/// The other kerfs whose wall stands on bone more than this from the face that counts.
+constexpr double ledge_mm = 0.5;
+
+/// ledges_count.
+void add_ledges(std::vector<Measurement>& made, const PlannedCut& planned,
+                const std::vector<CutFace>& faces, const RebuiltBone& rebuilt) {
+  const CutFace& main = faces.front();
+  Measurement ledges =
+      measurement(planned, Metric::LedgesCount, 0.0, cutting_moment(rebuilt, main.kerf),
+                  planned.depth_point_in_bone_mm);
+  for (const CutFace& other : faces) {
+    if (other.kerf == main.kerf || !other.is_wall || other.samples_in_bone_mm.empty()) continue;
+    double sum_mm = 0.0;
+    for (const Vec3& sample : other.samples_in_bone_mm)
+      sum_mm += std::abs(signed_distance_mm(main.plane, sample));
+    if (sum_mm <= ledge_mm * static_cast<double>(other.samples_in_bone_mm.size())) continue;
+    ledges.value += 1.0;
+    ledges.place_in_bone_mm = other.samples_in_bone_mm.front();
+  }
+  made.push_back(std::move(ledges));
+}
+
+/// plunge_mm, breakthrough_newton and breakthrough_mm_s, of all the cut's kerfs.
+void add_break_throughs(std::vector<Measurement>& made, const PlannedCut& planned,
+                        const std::vector<CutFace>& faces, const RebuiltBone& rebuilt,
+                        const BreakThroughWorld& world) {
+  std::vector<std::int32_t> kerfs;
+  for (const CutFace& face : faces) kerfs.push_back(face.kerf);
+  const BreakThroughs worst = measure_break_throughs(world, kerfs);
+  const Moment plunge = worst.plunge_mm.value > 0.0
+                            ? Moment{worst.plunge_mm.first_tick, worst.plunge_mm.last_tick}
+                            : cutting_moment(rebuilt, faces.front().kerf);
+  const Vec3 place_mm =
+      worst.plunge_mm.value > 0.0 ? worst.plunge_in_bone_mm : planned.exit_point_in_bone_mm;
+  made.push_back(measurement(planned, Metric::PlungeMm, worst.plunge_mm.value, plunge, place_mm));
+  const auto add = [&](Metric metric, const std::optional<Finding>& finding) {
+    if (!finding) {
+      made.push_back(absent_of(planned, metric, Absence::Undefined));
+      return;
+    }
+    made.push_back(measurement(planned, metric, finding->value,
+                               {finding->first_tick, finding->last_tick}, place_mm));
+  };
+  add(Metric::BreakthroughNewton, worst.force_newton);
+  add(Metric::BreakthroughMmS, worst.speed_mm_s);
 }
 
 /// depth_mm and step_mm.
@@ -172,21 +250,27 @@ void add_resection(std::vector<Measurement>& made, const PlannedCut& planned,
 
 }  // namespace
 
-std::vector<Measurement> measure_cut(const PlannedCut& planned, const std::vector<CutFace>& faces,
-                                     const RebuiltBone& rebuilt, const simulator::Bone& bone,
-                                     const Recording& recording) {
+std::vector<Measurement> measure_cut(std::size_t cut, const Evidence& evidence) {
+  const PlannedCut& planned = evidence.plan.cuts[cut];
+  const std::vector<CutFace>& faces = evidence.faces[cut];
+  const RebuiltBone& rebuilt = evidence.rebuilt;
   if (faces.empty() || faces.front().samples_in_bone_mm.empty()) return nothing_measured(planned);
   const CutFace& face = faces.front();
-  const bool is_along = planned.kind == scenarios::FaceKind::AlongAxis;
   const ResectionPlan plan{{planned.face.normal, planned.face.offset_mm},
                            planned.depth_point_in_bone_mm,
                            planned.exit_point_in_bone_mm};
   std::vector<Measurement> made;
   add_face(made, planned, face, rebuilt);
-  if (is_along) add_resection(made, planned, plan, face, rebuilt);
+  if (is_along(planned)) add_resection(made, planned, plan, face, rebuilt);
   add_flatness(made, planned,
-               measure_flatness(cutting_tooth_points(recording, rebuilt, bone, face.kerf)));
-  if (is_along) add_harm(made, planned, worst_harm(faces, rebuilt, plan), rebuilt, face.kerf);
+               measure_flatness(
+                   cutting_tooth_points(evidence.recording, rebuilt, evidence.bone, face.kerf)));
+  add_ledges(made, planned, faces, rebuilt);
+  if (is_along(planned))
+    add_harm(made, planned, worst_harm(faces, rebuilt, plan), rebuilt, face.kerf);
+  add_break_throughs(
+      made, planned, faces, rebuilt,
+      {evidence.recording, rebuilt.fields.blade(), inverse(evidence.bone.world_from_bone)});
   for (Measurement& each : made) each.done_fraction = face.done_fraction;
   return made;
 }

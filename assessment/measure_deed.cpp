@@ -2,10 +2,9 @@
 // the face as it was sawn, not as it was planned: a wedge is thinner than a fair cut may be off.
 #include "assessment/measure_deed.h"
 
+#include "assessment/make_measurement.h"
 #include "assessment/rebuild/taken_out.h"
-#include "scenarios/metric_names.h"
 #include "scenarios/site/parted_bone.h"
-#include "simulator/base/units.h"
 
 namespace hallux::assessment {
 
@@ -35,7 +34,7 @@ SawnFace sawn_face(const CutFace& face, const RebuiltBone& rebuilt) {
 
 /// The faces beyond which a step's piece lies, their normals towards it; empty where a cut was not
 /// made.
-std::vector<SawnFace> faces_around(const OperationStep& step, const DeedEvidence& evidence) {
+std::vector<SawnFace> faces_around(const OperationStep& step, const Evidence& evidence) {
   std::vector<SawnFace> around;
   for (const std::string& cut : cuts_around(step, evidence.plan)) {
     const std::vector<CutFace>& faces = evidence.faces[index_of_cut(evidence.plan, cut)];
@@ -46,7 +45,7 @@ std::vector<SawnFace> faces_around(const OperationStep& step, const DeedEvidence
 }
 
 /// Whether most of the bone beyond the faces went with what was taken out.
-bool has_gone(const std::vector<SawnFace>& faces, const DeedEvidence& evidence,
+bool has_gone(const std::vector<SawnFace>& faces, const Evidence& evidence,
               const std::vector<TakenOut>& taken) {
   if (faces.empty() || taken.empty()) return false;
   const simulator::CutSolid whole = uncut_solid(solid_of(evidence.bone));
@@ -63,30 +62,26 @@ std::int64_t last_tick_of(const simulator::Recording& recording) {
   return recording.samples.empty() ? 0 : recording.samples.back().tick;
 }
 
-Measurement deed(Metric metric, const OperationStep& step, bool is_done, std::int64_t tick) {
-  Measurement made;
-  made.metric = name_of(metric);
+/// Of a deed that is told by whether it was done.
+Measurement deed(Metric metric, const OperationStep& step, bool is_done, std::int64_t tick,
+                 const Vec3& place_in_bone_mm) {
+  Measurement made = measured(metric, is_done ? 1.0 : 0.0, {tick, tick}, place_in_bone_mm);
   made.cut = step.cut;
   made.hinge = step.hinge;
-  made.value = is_done ? 1.0 : 0.0;
-  made.start_us = time_us_from_tick(tick);
-  made.end_us = time_us_from_tick(tick + 1);
   return made;
 }
 
-Measurement piece_out(const OperationStep& step, const DeedEvidence& evidence,
+Measurement piece_out(const OperationStep& step, const Evidence& evidence,
                       const std::vector<TakenOut>& taken) {
   const bool is_out = has_gone(faces_around(step, evidence), evidence, taken);
   const std::int64_t tick = is_out ? taken.back().tick : last_tick_of(evidence.recording);
-  Measurement made = deed(Metric::PieceOut, step, is_out, tick);
   const scenarios::PlannedHinge* hinge = find_hinge(evidence.plan, step.hinge);
   const scenarios::PlannedCut* cut =
       find_cut(evidence.plan, hinge == nullptr ? step.cut : hinge->first_cut);
-  made.place_in_bone_mm = cut->entry_point_in_bone_mm;
-  return made;
+  return deed(Metric::PieceOut, step, is_out, tick, cut->entry_point_in_bone_mm);
 }
 
-Measurement wedge_closed(const OperationStep& step, const DeedEvidence& evidence) {
+Measurement wedge_closed(const OperationStep& step, const Evidence& evidence) {
   std::int64_t tick = last_tick_of(evidence.recording);
   bool is_closed = false;
   for (const simulator::CutEvent& event : evidence.recording.events) {
@@ -94,19 +89,17 @@ Measurement wedge_closed(const OperationStep& step, const DeedEvidence& evidence
     is_closed = true;
     tick = event.tick;
   }
-  Measurement made = deed(Metric::WedgeClosed, step, is_closed, tick);
-  made.place_in_bone_mm = find_hinge(evidence.plan, step.hinge)->bridge.line.point_in_bone_mm;
-  return made;
+  return deed(Metric::WedgeClosed, step, is_closed, tick,
+              find_hinge(evidence.plan, step.hinge)->bridge.line.point_in_bone_mm);
 }
 
 }  // namespace
 
-std::vector<Measurement> measure_deeds(const scenarios::Scenario& scenario,
-                                       const DeedEvidence& evidence, const Progress& progress) {
+std::vector<Measurement> measure_deeds(const Evidence& evidence, const Progress& progress) {
   std::vector<Measurement> made;
   const std::vector<TakenOut> taken =
       pieces_taken_out(evidence.rebuilt, evidence.bone, evidence.recording, progress);
-  for (const OperationStep& step : scenario.steps) {
+  for (const OperationStep& step : evidence.scenario.steps) {
     if (step.kind == StepKind::Remove) made.push_back(piece_out(step, evidence, taken));
     if (step.kind == StepKind::Close) made.push_back(wedge_closed(step, evidence));
   }

@@ -12,9 +12,9 @@
 
 #include "assessment/blade_track.h"
 #include "assessment/ledger.h"
+#include "assessment/make_measurement.h"
 #include "assessment/metrics/akin.h"
 #include "assessment/number_text.h"
-#include "scenarios/metric_names.h"
 #include "simulator/base/units.h"
 #include "simulator/cutting/hinge/hinge_gap.h"
 
@@ -27,18 +27,16 @@ using scenarios::PlannedCut;
 using scenarios::PlannedHinge;
 using simulator::HingeGap;
 
+/// Not measured yet.
 Measurement named(const PlannedHinge& hinge, Metric metric) {
-  Measurement made;
-  made.metric = name_of(metric);
+  Measurement made = absent(metric, Absence::NotMade, hinge.bridge.line.point_in_bone_mm);
   made.hinge = hinge.name;
-  made.is_measured = false;
-  made.place_in_bone_mm = hinge.bridge.line.point_in_bone_mm;
   return made;
 }
 
 void set_value(Measurement& made, double value) {
   made.value = rounded_to_micro(value);
-  made.is_measured = true;
+  made.absence = Absence::None;
 }
 
 void set_moment(Measurement& made, std::int64_t first_tick, std::int64_t last_tick) {
@@ -57,7 +55,7 @@ struct CutEvidence {
   double done_fraction() const noexcept { return has_face() ? faces.front().done_fraction : 0.0; }
 };
 
-CutEvidence evidence_of(const HingeEvidence& evidence, const std::string& cut) {
+CutEvidence evidence_of(const Evidence& evidence, const std::string& cut) {
   const PlannedCut& planned = *find_cut(evidence.plan, cut);
   const auto index = static_cast<std::size_t>(&planned - evidence.plan.cuts.data());
   return {planned, evidence.faces[index]};
@@ -99,29 +97,67 @@ std::string wedge_text(const Wedge& wedge) {
          value_text(std::abs(wedge.planned.base_mm), "mm");
 }
 
+/// The line in which the two faces meet, against the planned one.
+struct Apex {
+  double offset_mm = 0.0, angle_deg = 0.0;
+};
+
+/// Nothing where the faces do not meet.
+std::optional<Apex> measure_apex(const FacePlane& first, const FacePlane& second,
+                                 const simulator::HingeLine& planned) {
+  const Vec3 across = glm::cross(first.normal, second.normal);
+  const double size = length_of(across);
+  constexpr double almost_parallel = 1.0e-6;
+  if (size < almost_parallel) return std::nullopt;
+  const Vec3 axis = across / size;
+  // From the planned point along the first plane to the second one, square to the line.
+  const double to_first_mm = signed_distance_mm(first, planned.point_in_bone_mm);
+  const Vec3 on_first_mm = planned.point_in_bone_mm - to_first_mm * first.normal;
+  const Vec3 along = glm::cross(axis, first.normal);
+  const Vec3 foot_mm = on_first_mm - signed_distance_mm(second, on_first_mm) /
+                                         glm::dot(second.normal, along) * along;
+  const double angle_rad = angle_between_rad(axis, planned.axis);
+  return Apex{length_of(foot_mm - planned.point_in_bone_mm),
+              degree_from_radian(std::min(angle_rad, pi - angle_rad))};
+}
+
+/// wedge_error_deg, wedge_sagittal_deg, wedge_reversed, base_mm, apex_offset_mm, apex_angle_deg.
 void add_wedge(std::vector<Measurement>& made, const CutEvidence& first, const CutEvidence& second,
                const PlannedHinge& hinge, const RebuiltBone& rebuilt) {
-  Measurement error = named(hinge, Metric::WedgeErrorDeg);
-  Measurement sagittal = named(hinge, Metric::WedgeSagittalDeg);
-  if (first.has_face() && second.has_face()) {
-    const Wedge wedge = measure_wedge(first, second, hinge);
-    const bool is_larger = std::abs(wedge.made.wedge_deg) > std::abs(wedge.planned.wedge_deg);
-    set_value(error, std::abs(wedge.made.wedge_error_deg));
-    error.direction = is_larger ? "large" : "small";
-    error.detail = wedge_text(wedge);
-    const double lean_deg = wedge.made.wedge_sagittal_deg - wedge.planned.wedge_sagittal_deg;
-    set_value(sagittal, std::abs(lean_deg));
-    sagittal.direction = lean_deg > 0.0 ? "plantar" : "dorsal";
-    sagittal.detail = "closing it tips the toe";
-    const auto later =
-        static_cast<std::size_t>(std::max(first.faces.front().kerf, second.faces.front().kerf));
-    for (Measurement* each : {&error, &sagittal}) {
-      set_moment(*each, rebuilt.kerfs[later].frozen_tick, rebuilt.kerfs[later].last_cutting_tick);
-      each->place_in_bone_mm = second.planned.entry_point_in_bone_mm;
-    }
+  const std::size_t begin = made.size();
+  for (const Metric metric :
+       {Metric::WedgeErrorDeg, Metric::WedgeSagittalDeg, Metric::WedgeReversed, Metric::BaseMm,
+        Metric::ApexOffsetMm, Metric::ApexAngleDeg})
+    made.push_back(named(hinge, metric));
+  if (!first.has_face() || !second.has_face()) return;
+  const Wedge wedge = measure_wedge(first, second, hinge);
+  const bool is_larger = std::abs(wedge.made.wedge_deg) > std::abs(wedge.planned.wedge_deg);
+  Measurement& error = made[begin];
+  set_value(error, std::abs(wedge.made.wedge_error_deg));
+  error.direction = is_larger ? "large" : "small";
+  error.detail = wedge_text(wedge);
+  const double lean_deg = wedge.made.wedge_sagittal_deg - wedge.planned.wedge_sagittal_deg;
+  Measurement& sagittal = made[begin + 1];
+  set_value(sagittal, std::abs(lean_deg));
+  sagittal.direction = lean_deg > 0.0 ? "plantar" : "dorsal";
+  sagittal.detail = "closing it tips the toe";
+  set_value(made[begin + 2], wedge.made.wedge_deg * wedge.planned.wedge_deg < 0.0 ? 1.0 : 0.0);
+  set_value(made[begin + 3], std::copysign(1.0, wedge.planned.base_mm) * wedge.made.base_mm);
+  const auto apex =
+      measure_apex(first.faces.front().plane, second.faces.front().plane, hinge.bridge.line);
+  for (std::size_t index = begin + 4; index < made.size(); ++index)
+    made[index].absence = Absence::Undefined;
+  if (apex) {
+    set_value(made[begin + 4], apex->offset_mm);
+    set_value(made[begin + 5], apex->angle_deg);
   }
-  made.push_back(std::move(error));
-  made.push_back(std::move(sagittal));
+  const auto later =
+      static_cast<std::size_t>(std::max(first.faces.front().kerf, second.faces.front().kerf));
+  for (std::size_t index = begin; index < made.size(); ++index) {
+    set_moment(made[index], rebuilt.kerfs[later].frozen_tick,
+               rebuilt.kerfs[later].last_cutting_tick);
+    if (index < begin + 4) made[index].place_in_bone_mm = second.planned.entry_point_in_bone_mm;
+  }
 }
 
 /// A kerf of the hinge and what it left of the bridge.
@@ -130,7 +166,7 @@ struct KerfGap {
   HingeGap gap;
 };
 
-std::vector<KerfGap> gaps_of(const HingeEvidence& evidence, const PlannedHinge& hinge,
+std::vector<KerfGap> gaps_of(const Evidence& evidence, const PlannedHinge& hinge,
                              const std::vector<std::int32_t>& kerfs) {
   std::vector<KerfGap> gaps;
   if (kerfs.empty()) return gaps;
@@ -155,7 +191,7 @@ std::vector<std::int32_t> kerfs_of(const CutEvidence& first, const CutEvidence& 
   return kerfs;
 }
 
-std::optional<Reach> reach_of(const HingeEvidence& evidence, const PlannedHinge& hinge,
+std::optional<Reach> reach_of(const Evidence& evidence, const PlannedHinge& hinge,
                               const KerfGap& gap) {
   const Vec3& outward = hinge.bridge.line.outward;
   const ReachLimit limit{outward, glm::dot(outward, gap.gap.far_in_bone_mm)};
@@ -163,7 +199,7 @@ std::optional<Reach> reach_of(const HingeEvidence& evidence, const PlannedHinge&
 }
 
 /// hinge_mm of the kerf that left least.
-Measurement bridge_measurement(const HingeEvidence& evidence, const PlannedHinge& hinge,
+Measurement bridge_measurement(const Evidence& evidence, const PlannedHinge& hinge,
                                const std::vector<KerfGap>& gaps) {
   Measurement bridge = named(hinge, Metric::HingeMm);
   if (gaps.empty()) return bridge;
@@ -180,7 +216,7 @@ Measurement bridge_measurement(const HingeEvidence& evidence, const PlannedHinge
 
 /// over_cut_mm of the kerf that went furthest: from the first tick beyond the cortex to the
 /// deepest.
-Measurement over_cut_measurement(const HingeEvidence& evidence, const PlannedHinge& hinge,
+Measurement over_cut_measurement(const Evidence& evidence, const PlannedHinge& hinge,
                                  const std::vector<KerfGap>& gaps) {
   Measurement over_cut = named(hinge, Metric::OverCutMm);
   if (gaps.empty()) return over_cut;
@@ -207,7 +243,7 @@ Measurement flatness_measurement(const PlannedHinge& hinge, std::span<const Meas
   const std::string flatness_name(name_of(Metric::FlatnessMm));
   for (const std::string& cut : {hinge.first_cut, hinge.second_cut}) {
     const Measurement* flatness = find_measurement(measured, flatness_name, cut);
-    if (flatness == nullptr || !flatness->is_measured) return named(hinge, Metric::FlatnessMm);
+    if (flatness == nullptr || !flatness->is_measured()) return named(hinge, Metric::FlatnessMm);
     if (worse == nullptr || flatness->value > worse->value) worse = flatness;
   }
   Measurement made = *worse;
@@ -218,7 +254,7 @@ Measurement flatness_measurement(const PlannedHinge& hinge, std::span<const Meas
 
 }  // namespace
 
-std::vector<Measurement> measure_hinge(const PlannedHinge& hinge, const HingeEvidence& evidence,
+std::vector<Measurement> measure_hinge(const PlannedHinge& hinge, const Evidence& evidence,
                                        std::span<const Measurement> measured) {
   const CutEvidence first = evidence_of(evidence, hinge.first_cut);
   const CutEvidence second = evidence_of(evidence, hinge.second_cut);
@@ -226,14 +262,15 @@ std::vector<Measurement> measure_hinge(const PlannedHinge& hinge, const HingeEvi
   std::erase_if(gaps, [](const KerfGap& gap) { return !gap.gap.is_opened; });
   std::vector<Measurement> made;
   add_wedge(made, first, second, hinge, evidence.rebuilt);
-  made.push_back(bridge_measurement(evidence, hinge, gaps));
+  Measurement bridge = bridge_measurement(evidence, hinge, gaps);
+  Measurement lost = bridge;
+  lost.metric = name_of(Metric::HingeLost);
+  lost.value = lost.is_measured() && lost.value == 0.0 ? 1.0 : 0.0;
+  if (!first.has_face() || !second.has_face()) bridge.absence = Absence::NotMade;
+  made.push_back(std::move(bridge));
   made.push_back(flatness_measurement(hinge, measured));
   made.push_back(over_cut_measurement(evidence, hinge, gaps));
-  Measurement lost = made[2];
-  lost.metric = name_of(Metric::HingeLost);
-  lost.value = lost.is_measured && lost.value == 0.0 ? 1.0 : 0.0;
   made.push_back(std::move(lost));
-  if (!first.has_face() || !second.has_face()) made[2].is_measured = false;
   const double done = std::min(first.done_fraction(), second.done_fraction());
   for (Measurement& each : made) each.done_fraction = done;
   return made;

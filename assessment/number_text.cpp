@@ -32,10 +32,16 @@ std::string short_number_text(double value) {
   return text;
 }
 
+std::string unit_text(std::string_view unit) {
+  if (unit == "newton") return "N";
+  if (unit == "mm_s") return "mm/s";
+  return std::string(unit);
+}
+
 std::string value_text(double value, std::string_view unit) {
-  const int decimals = unit == "mm" ? 2 : 1;
-  const std::string number = number_text(value, decimals);
-  return unit.empty() ? number : number + " " + std::string(unit);
+  // A count is whole; of a share two places tell enough.
+  if (unit.empty()) return short_number_text(std::round(value * 100.0) / 100.0);
+  return number_text(value, unit == "mm" ? 2 : 1) + " " + unit_text(unit);
 }
 
 std::string points_text(std::int64_t points_milli) {

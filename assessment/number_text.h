@@ -15,6 +15,8 @@ double rounded_to_micro(double value) noexcept;
 std::string number_text(double value, int decimals);
 /// Without needless zeros: "1", "0.5", "2.25".
 std::string short_number_text(double value);
+/// A metric's unit as people write it: "mm", "N", "mm/s".
+std::string unit_text(std::string_view unit);
 /// A metric's value with its unit and the decimals that the unit deserves: "4.2 deg", "0.35 mm".
 std::string value_text(double value, std::string_view unit);
 /// Rubric or score points from thousandths: "16", "7.3", "0.04".

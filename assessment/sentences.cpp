@@ -29,7 +29,7 @@ constexpr std::size_t sentence_limit = 3;
 
 /// A count and a share have no unit.
 std::string with_unit(const std::string& number, const std::string& unit) {
-  return unit.empty() ? number : number + " " + unit;
+  return unit.empty() ? number : number + " " + unit_text(unit);
 }
 
 std::string direction_clause(const MetricWording& wording, const Measurement& measurement) {
@@ -40,7 +40,8 @@ std::string direction_clause(const MetricWording& wording, const Measurement& me
 std::string metric_clause(const RubricItem& item, const Measurement& measurement, bool is_loss) {
   const std::string value = value_text(measurement.value, item.unit);
   const scenarios::MetricName* metric = scenarios::find_metric(item.metric);
-  if (metric == nullptr || metric->is_claim) return item.title + ": " + value;
+  if (metric == nullptr) return item.title + ": " + value;
+  if (metric->is_claim) return item.title + (measurement.value > 0.5 ? ": yes" : ": no");
   const MetricWording& wording = metric->wording;
   const bool is_zero = measurement.value == 0.0 && wording.at_zero[0] != '\0';
   std::string text = is_zero ? wording.at_zero : wording.subject + value + wording.tail;
@@ -63,16 +64,22 @@ std::string loss_clause(const SaidLine& said) {
   return lost_points_text(said.line, said.shown) + " of " + possible + " points lost";
 }
 
+/// " (full points to 1 deg)"; of a claim nothing.
 std::string target_clause(const RubricItem& item) {
+  if (scenarios::is_claim(item.metric)) return "";
   if (item.is_band) {
-    return "(full points from " + short_number_text(item.full_low) + " to " +
+    return " (full points from " + short_number_text(item.full_low) + " to " +
            with_unit(short_number_text(item.full_high), item.unit) + ")";
   }
-  return "(full points to " + with_unit(short_number_text(item.full), item.unit) + ")";
+  const char* bound = item.full > item.zero ? " (full points from " : " (full points to ";
+  return bound + with_unit(short_number_text(item.full), item.unit) + ")";
 }
 
 /// With one cut the sentence needs no name; with several each says which it is about.
 std::string subject_prefix(const Scenario& scenario, const RubricItem& item) {
+  for (const scenarios::DangerZone& zone : scenario.danger_zones) {
+    if (zone.name == item.zone) return zone.title + ": ";
+  }
   if (scenario.cuts.size() < 2) return "";
   for (const scenarios::ReferenceCut& cut : scenario.cuts) {
     if (cut.name == item.cut) return cut.title + ": ";
@@ -83,21 +90,25 @@ std::string subject_prefix(const Scenario& scenario, const RubricItem& item) {
   return "";
 }
 
+/// "Unfinished cut (62 % sawn, so 62 % of the points). ", or nothing.
+std::string unfinished_clause(const RubricItem& item, const Measurement& measurement) {
+  if (measurement.done_fraction >= 1.0) return "";
+  const std::string done = number_text(100.0 * measurement.done_fraction, 0) + " %";
+  const char* work = subject_of(item).empty() || !item.zone.empty() ? "work" : "cut";
+  return std::string("Unfinished ") + work + " (" + done + " sawn, so " + done +
+         " of the points). ";
+}
+
 std::string item_sentence(const Scenario& scenario, const RubricItem& item, const SaidLine& said,
                           const Measurement& measurement) {
   const LedgerLine& line = said.line;
   const std::string prefix = subject_prefix(scenario, item);
-  if (!line.is_measured) {
-    return prefix + item.title +
-           " could not be measured because the cut was not made: " + loss_clause(said) + ".";
-  }
-  const bool is_unfinished = measurement.done_fraction < 1.0;
-  const std::string done = number_text(100.0 * measurement.done_fraction, 0) + " %";
-  const std::string unfinished =
-      is_unfinished ? "Unfinished cut (" + done + " sawn, so " + done + " of the points). " : "";
-  return prefix + unfinished + metric_clause(item, measurement, line.points_lost_milli > 0) + " " +
-         target_clause(item) + ": " + loss_clause(said) + "." +
-         (measurement.note.empty() ? "" : " " + measurement.note);
+  if (!line.is_measured)
+    return prefix + item.title + " could not be measured because " +
+           std::string(reason_of(measurement.absence)) + ": " + loss_clause(said) + ".";
+  return prefix + unfinished_clause(item, measurement) +
+         metric_clause(item, measurement, line.points_lost_milli > 0) + target_clause(item) + ": " +
+         loss_clause(said) + "." + (measurement.note.empty() ? "" : " " + measurement.note);
 }
 
 std::string damping_sentence(const SaidLine& said) {
@@ -115,7 +126,8 @@ std::string damping_sentence(const SaidLine& said) {
 /// "Title: 1.50 mm (limit 1 mm)", or of a claim the title alone.
 std::string gate_finding(const Gate& gate, double value) {
   if (scenarios::is_claim(gate.metric)) return gate.title;
-  return gate.title + ": " + value_text(value, gate.unit) + " (limit " +
+  return gate.title + ": " + value_text(value, gate.unit) +
+         (gate.is_at_least ? " (at least " : " (limit ") +
          with_unit(short_number_text(gate.limit), gate.unit) + ")";
 }
 
@@ -134,6 +146,9 @@ std::string gate_text(const GateResult& result, const Gate& gate, bool is_measur
     return gate.title + (result.is_triggered ? ": yes; " + cap : ": no") + ".";
   const std::string limit = with_unit(short_number_text(gate.limit), gate.unit);
   const std::string value = gate.title + ": " + value_text(result.value, gate.unit);
+  if (gate.is_at_least)
+    return value + (result.is_triggered ? ", less than the " + limit + " asked for; " + cap + "."
+                                        : ", no less than the " + limit + " asked for.");
   if (result.is_triggered) return value + ", above the limit of " + limit + "; " + cap + ".";
   return value + ", within the limit of " + limit + ".";
 }
@@ -174,16 +189,30 @@ struct UnfinishedCut {
 /// How much of a cut was sawn; 0 where it was not made.
 double done_fraction_of(const std::string& cut, std::span<const Measurement> measurements) {
   for (const Measurement& measurement : measurements) {
-    if (measurement.cut == cut) return measurement.is_measured ? measurement.done_fraction : 0.0;
+    if (measurement.cut == cut) return measurement.is_measured() ? measurement.done_fraction : 0.0;
   }
   return 0.0;
 }
 
-/// The unfinished cut that an item's loss is to be laid to: its own, or of a hinge's two the less
-/// finished; null where nothing is unfinished.
+/// Of the operation's cuts the least finished; the first where all are alike.
+std::string least_finished_cut(const Scenario& scenario,
+                               std::span<const Measurement> measurements) {
+  const auto least = std::min_element(
+      scenario.cuts.begin(), scenario.cuts.end(), [&](const auto& a, const auto& b) {
+        return done_fraction_of(a.name, measurements) < done_fraction_of(b.name, measurements);
+      });
+  return least->name;
+}
+
+/// The unfinished cut that an item's loss is to be laid to: its own, of a hinge's two the less
+/// finished, of the whole attempt's the least; null where nothing is unfinished.
 const scenarios::ReferenceCut* unfinished_cut_of(const Scenario& scenario, const RubricItem& item,
                                                  std::span<const Measurement> measurements) {
-  std::string name = item.cut;
+  const Measurement* measurement = find_measurement(measurements, item);
+  const bool is_whole = measurement == nullptr || measurement->absence == Absence::NotDone ||
+                        (measurement->is_measured() && measurement->done_fraction >= 1.0);
+  if (item.cut.empty() && item.hinge.empty() && is_whole) return nullptr;
+  std::string name = item.cut.empty() ? least_finished_cut(scenario, measurements) : item.cut;
   for (const scenarios::ReferenceHinge& hinge : scenario.hinges) {
     if (hinge.name != item.hinge) continue;
     const double first = done_fraction_of(hinge.first_cut, measurements);
@@ -275,7 +304,7 @@ void explain(ScoreCard& card, const Scenario& scenario, std::span<const Measurem
   for (std::size_t index = 0; index < card.gates.size(); ++index) {
     const Gate& gate = scenario.rubric.gates[index];
     const Measurement* measurement = find_measurement(measurements, gate);
-    const bool is_measured = measurement != nullptr && measurement->is_measured;
+    const bool is_measured = measurement != nullptr && measurement->is_measured();
     card.gates[index].text = gate_text(card.gates[index], gate, is_measured);
   }
   choose_sentences(card, shown, scenario, measurements);

@@ -44,7 +44,7 @@ bool has_name(const std::vector<Part>& parts, std::string_view name) {
 struct Subject {
   std::string_view list;
   std::size_t index;
-  std::string_view cut, hinge;
+  std::string_view cut, hinge, zone = {};
 };
 
 template <typename Part>
@@ -64,11 +64,36 @@ void refuse_named(std::string_view named, std::string_view what, const std::stri
   refuse(file, path, is_text(named), "remove it: this is not about one " + std::string(what));
 }
 
-/// A cut or a hinge is named exactly where the part is about one.
+void refuse_all_named(const Subject& part, std::string_view file) {
+  refuse_named(part.cut, "cut", path_of(part.list, part.index, "cut"), file);
+  refuse_named(part.hinge, "hinge", path_of(part.list, part.index, "hinge"), file);
+  refuse_named(part.zone, "zone", path_of(part.list, part.index, "zone"), file);
+}
+
+/// Without a zone it is about all of them together.
+void check_zone(const Scenario& scenario, const Subject& part, std::string_view file) {
+  refuse_all_named({part.list, part.index, part.cut, part.hinge}, file);
+  if (part.zone.empty()) return;
+  check_named(scenario.danger_zones, part.zone, "danger zone",
+              path_of(part.list, part.index, "zone"), file);
+}
+
+void check_lies_across(const Scenario& scenario, const Subject& part, std::string_view file) {
+  for (const ReferenceCut& cut : scenario.cuts) {
+    if (cut.name != part.cut || cut.face.kind != FaceKind::AlongAxis) continue;
+    refuse(file, path_of(part.list, part.index, "cut"), is_text(part.cut),
+           "name a cut across the bone, or another metric");
+  }
+}
+
+/// A cut, a hinge or a zone is named exactly where the part is about one.
 void check_subject(const Scenario& scenario, const Subject& part, MetricSubject wanted,
                    std::string_view file) {
   const std::string cut_path = path_of(part.list, part.index, "cut");
   const std::string hinge_path = path_of(part.list, part.index, "hinge");
+  if (wanted == MetricSubject::Attempt) return refuse_all_named(part, file);
+  if (wanted == MetricSubject::Zone) return check_zone(scenario, part, file);
+  refuse_named(part.zone, "zone", path_of(part.list, part.index, "zone"), file);
   const bool may_be_either = wanted == MetricSubject::CutOrHinge || wanted == MetricSubject::Piece;
   const bool is_about_hinge = wanted == MetricSubject::Hinge || wanted == MetricSubject::Closing ||
                               (may_be_either && !part.hinge.empty());
@@ -78,6 +103,7 @@ void check_subject(const Scenario& scenario, const Subject& part, MetricSubject 
   } else {
     refuse_named(part.hinge, "hinge", hinge_path, file);
     check_named(scenario.cuts, part.cut, "cut", cut_path, file);
+    if (wanted == MetricSubject::CutAcross) check_lies_across(scenario, part, file);
   }
 }
 
@@ -271,13 +297,13 @@ void check_rubric(const Scenario& scenario, std::string_view file) {
       refuse(file, path_of("rubric.items", i, "group"), is_text(item.group) + ", which is no group",
              "name one of rubric.groups");
     }
-    const Subject subject{"rubric.items", i, item.cut, item.hinge};
+    const Subject subject{"rubric.items", i, item.cut, item.hinge, item.zone};
     check_subject(scenario, subject, find_metric(item.metric)->subject, file);
     check_deed(scenario, subject, find_metric(item.metric)->subject, file);
   }
   for (std::size_t i = 0; i < rubric.gates.size(); ++i) {
     const Gate& gate = rubric.gates[i];
-    const Subject subject{"rubric.gates", i, gate.cut, gate.hinge};
+    const Subject subject{"rubric.gates", i, gate.cut, gate.hinge, gate.zone};
     check_subject(scenario, subject, find_metric(gate.metric)->subject, file);
     check_deed(scenario, subject, find_metric(gate.metric)->subject, file);
   }
@@ -291,6 +317,7 @@ void check_references(const Scenario& scenario, std::string_view file) {
   check_names(scenario.cuts, &ReferenceCut::name, "cuts", "name", file);
   check_names(scenario.hinges, &ReferenceHinge::name, "hinges", "name", file);
   check_names(scenario.danger_zones, &DangerZone::name, "danger_zones", "name", file);
+  check_names(scenario.joint_surfaces, &JointSurface::name, "joint_surfaces", "name", file);
   check_names(scenario.rubric.groups, &RubricGroup::name, "rubric.groups", "name", file);
   check_names(scenario.rubric.items, &RubricItem::id, "rubric.items", "id", file);
   check_names(scenario.rubric.gates, &Gate::name, "rubric.gates", "name", file);

@@ -11,27 +11,69 @@ namespace hallux::scenarios {
 /// In the order of the table.
 enum class Metric : std::uint8_t {
   AngleDeg,
+  TransverseTiltDeg,
+  SagittalTiltDeg,
   LocationMm,
+  MeanMm,
+  RmsMm,
+  EntryMm,
+  ExitMm,
   DepthMm,
   StepMm,
   FlatnessMm,
+  LedgesCount,
   PastLandmarkMm,
   NotchMm,
+  ThicknessMm,
+  ThicknessMaxMm,
   WedgeErrorDeg,
   WedgeSagittalDeg,
+  WedgeReversed,
+  BaseMm,
+  ApexOffsetMm,
+  ApexAngleDeg,
   HingeMm,
   OverCutMm,
   HingeLost,
   PieceOut,
   WedgeClosed,
+  CorrectionDeg,
+  ShorteningMm,
+  GapMm,
+  ContactShare,
+  JointMarginMm,
+  DangerContactsCount,
+  DangerS,
+  DangerDepthMm,
+  HotS,
+  NecroticMm3,
+  PlungeMm,
+  BreakthroughNewton,
+  BreakthroughMmS,
+  ForcePeakNewton,
+  ForceP95Newton,
+  SideLoadNewton,
+  RestartsCount,
+  AirCuttingS,
+  StartedInBone,
+  IrrigatedShare,
+  Sparc,
+  Ldlj,
+  StepOrder,
+  TimeS,
+  PlanningS,
+  IdleS,
+  PathRatio,
   Count
 };
 
 /// What an item or gate with this metric must name.
-enum class MetricSubject {
+enum class MetricSubject : std::uint8_t {
   Cut,
   /// A cut along the bone, which is planned from landmarks of depth and exit.
   CutAlong,
+  /// A cut across the bone.
+  CutAcross,
   /// The bridge, or the wedge that its two cuts take out.
   Hinge,
   /// One cut, or the worse of a hinge's two.
@@ -39,7 +81,19 @@ enum class MetricSubject {
   /// A cut or a hinge whose piece a step removes.
   Piece,
   /// A hinge that a step closes.
-  Closing
+  Closing,
+  /// A danger zone, or none: all of them together.
+  Zone,
+  /// Nothing: it is about the whole attempt.
+  Attempt
+};
+
+/// Which way a metric is better; a rubric gives its knots so.
+enum class MetricSense : std::uint8_t {
+  Lower,
+  Higher,
+  /// A planned value lies between, or it has a sign.
+  Band
 };
 
 /// How a metric is said: `subject`, the value, `tail`, and where a direction helps `lean`, the
@@ -60,9 +114,12 @@ struct MetricName {
   /// Empty for a claim, a count and a share.
   std::string_view unit;
   MetricSubject subject = MetricSubject::Cut;
+  MetricSense sense = MetricSense::Lower;
   MetricWording wording = {};
   /// Its value is 1 where it holds, and the item's title says it.
   bool is_claim = false;
+  /// Its value may be below 0.
+  bool is_signed = false;
 };
 
 /// source  docs/metrics.md
@@ -73,5 +130,10 @@ const MetricName* find_metric(std::string_view name) noexcept;
 std::string_view name_of(Metric metric) noexcept;
 /// Whether that metric is known, and a claim.
 bool is_claim(std::string_view name) noexcept;
+
+/// "cut", "hinge", "zone", "step" or "attempt": what the metric is about.
+std::string_view about_text(MetricSubject subject) noexcept;
+/// "lower", "higher" or "band".
+std::string_view sense_text(MetricSense sense) noexcept;
 
 }  // namespace hallux::scenarios

@@ -241,6 +241,7 @@ Plan plan_on(const Scenario& scenario, const Bone& bone) {
     }
   }
   plan.danger_zones = plan_zones(scenario, bone);
+  plan.joint_surfaces = plan_joint_surfaces(scenario, bone);
   return plan;
 }
 

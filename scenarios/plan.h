@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scenarios/planned_joints.h"
 #include "scenarios/planned_zones.h"
 #include "scenarios/scenario.h"
 #include "simulator/base/progress.h"
@@ -58,6 +59,7 @@ struct Plan {
   std::vector<PlannedCut> cuts;
   std::vector<PlannedHinge> hinges;
   std::vector<PlannedZone> danger_zones;
+  std::vector<PlannedJointSurface> joint_surfaces = {};
 };
 
 /// Nothing (null) where the plan has none of that name; what is returned lives as long as the plan.

@@ -1,6 +1,7 @@
 #include "scenarios/read_rubric.h"
 
 #include "scenarios/metric_names.h"
+#include "simulator/device/device_class.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -27,24 +28,64 @@ RubricGroup read_group(const JsonNode& node) {
               node.has("not_measured") ? node.at("not_measured").milli(0.001, 100.0) : 0};
 }
 
-void read_band(const JsonNode& node, RubricItem& item) {
-  const std::vector<JsonNode> knots = node.list(4, 4);
-  item.is_band = true;
-  item.zero_low = knots[0].number(-metric_value_max, metric_value_max);
-  item.full_low = knots[1].number(-metric_value_max, metric_value_max);
-  item.full_high = knots[2].number(-metric_value_max, metric_value_max);
-  item.zero_high = knots[3].number(-metric_value_max, metric_value_max);
-  if (!(item.zero_low < item.full_low && item.full_low <= item.full_high &&
-        item.full_high < item.zero_high)) {
+Knots read_band(const JsonNode& node) {
+  const std::vector<JsonNode> given = node.list(4, 4);
+  const Knots knots{.is_band = true,
+                    .zero_low = given[0].number(-metric_value_max, metric_value_max),
+                    .full_low = given[1].number(-metric_value_max, metric_value_max),
+                    .full_high = given[2].number(-metric_value_max, metric_value_max),
+                    .zero_high = given[3].number(-metric_value_max, metric_value_max)};
+  if (!(knots.zero_low < knots.full_low && knots.full_low <= knots.full_high &&
+        knots.full_high < knots.zero_high)) {
     node.refuse_value("give four rising numbers: zero, full, full, zero");
   }
+  return knots;
+}
+
+/// What lies on both sides of what was planned, or of 0, has its points in a band.
+void check_has_one_side(const JsonNode& node, const MetricName& metric) {
+  if (metric.sense != MetricSense::Band || !metric.is_signed) return;
+  node.refuse_value("give \"band\": " + std::string(metric.name) + " may lie on both sides");
+}
+
+Knots read_line(const JsonNode& node, const MetricName& metric) {
+  check_has_one_side(node, metric);
+  const double low = metric.is_signed ? -metric_value_max : 0.0;
+  const Knots knots{.full = node.at("full").number(low, metric_value_max),
+                    .zero = node.at("zero").number(low, metric_value_max)};
+  if (metric.sense == MetricSense::Higher) {
+    if (!(knots.full > knots.zero)) node.at("zero").refuse_value("give less than \"full\"");
+  } else if (!(knots.full < knots.zero)) {
+    node.at("zero").refuse_value("give more than \"full\"");
+  }
+  return knots;
+}
+
+Knots read_knots(const JsonNode& node, const MetricName& metric) {
+  const bool has_line = node.has("full") && node.has("zero");
+  if (node.has("full") != node.has("zero") || node.has("band") == has_line) {
+    node.refuse_value("give either both \"full\" and \"zero\", or \"band\"");
+  }
+  return has_line ? read_line(node, metric) : read_band(node.at("band"));
+}
+
+DeviceKnots read_device_knots(const JsonNode& node, const MetricName& metric) {
+  node.expect_keys({"device", "origin"}, {"full", "zero", "band"});
+  DeviceKnots made{.device_class = node.at("device").name(),
+                   .knots = read_knots(node, metric),
+                   .origin = node.at("origin").text(1, 1000)};
+  if (simulator::is_device_class(made.device_class)) return made;
+  std::string mend = "use one of:";
+  for (const std::string_view known : simulator::device_classes) mend += " " + std::string(known);
+  node.at("device").refuse_value(mend);
 }
 
 RubricItem read_item(const JsonNode& node) {
   node.expect_keys({"id", "title", "group", "metric", "weight", "origin", "provisional"},
-                   {"cut", "hinge", "full", "zero", "band"});
+                   {"cut", "hinge", "zone", "full", "zero", "band", "devices"});
   const MetricName& metric = read_metric(node.at("metric"));
   RubricItem item;
+  static_cast<Knots&>(item) = read_knots(node, metric);
   item.id = node.at("id").text(1, 16);
   item.title = node.at("title").text(1, 120);
   item.group = node.at("group").name();
@@ -52,26 +93,20 @@ RubricItem read_item(const JsonNode& node) {
   item.unit = metric.unit;
   item.cut = node.name_where_given("cut");
   item.hinge = node.name_where_given("hinge");
+  item.zone = node.name_where_given("zone");
   item.weight_milli = node.at("weight").milli(0.001, 100.0);
   item.origin = node.at("origin").text(1, 1000);
   item.is_provisional = node.at("provisional").boolean();
-  const bool has_line = node.has("full") && node.has("zero");
-  if (node.has("full") != node.has("zero") || node.has("band") == has_line) {
-    node.refuse_value("give either both \"full\" and \"zero\", or \"band\"");
+  if (!node.has("devices")) return item;
+  for (const JsonNode& entry : node.at("devices").list(1, simulator::device_classes.size())) {
+    item.device_knots.push_back(read_device_knots(entry, metric));
   }
-  if (node.has("band")) {
-    read_band(node.at("band"), item);
-    return item;
-  }
-  item.full = node.at("full").number(0.0, metric_value_max);
-  item.zero = node.at("zero").number(0.0, metric_value_max);
-  if (!(item.full < item.zero)) node.at("zero").refuse_value("give more than \"full\"");
   return item;
 }
 
 Gate read_gate(const JsonNode& node) {
   node.expect_keys({"name", "title", "metric", "cap", "origin", "provisional"},
-                   {"cut", "hinge", "limit", "at_least"});
+                   {"cut", "hinge", "zone", "limit", "at_least"});
   const MetricName& metric = read_metric(node.at("metric"));
   const bool is_at_least = node.has("at_least");
   if (is_at_least == node.has("limit")) {
@@ -87,6 +122,7 @@ Gate read_gate(const JsonNode& node) {
           .origin = node.at("origin").text(1, 1000),
           .is_provisional = node.at("provisional").boolean(),
           .hinge = node.name_where_given("hinge"),
+          .zone = node.name_where_given("zone"),
           .is_at_least = is_at_least};
 }
 

@@ -11,6 +11,7 @@
 #include "scenarios/json_node.h"
 #include "scenarios/read_cuts.h"
 #include "scenarios/read_rubric.h"
+#include "simulator/base/units.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -97,6 +98,23 @@ Vec3 read_direction(const JsonNode& node) {
   return direction / length;
 }
 
+JointSurface read_joint_surface(const JsonNode& node) {
+  node.expect_keys(
+      {"name", "title", "around", "radius_mm", "facing_in_bone", "within_deg", "checked", "origin"},
+      {"offset_in_bone_mm"});
+  return {.name = node.at("name").name(),
+          .title = read_title(node),
+          .around = node.at("around").name(),
+          .offset_in_bone_mm = node.has("offset_in_bone_mm")
+                                   ? node.at("offset_in_bone_mm").vector(-60.0, 60.0)
+                                   : Vec3{0.0, 0.0, 0.0},
+          .radius_mm = node.at("radius_mm").number(0.5, 40.0),
+          .facing_in_bone = read_direction(node.at("facing_in_bone")),
+          .within_rad = radian_from_degree(node.at("within_deg").number(1.0, 180.0)),
+          .is_checked = node.at("checked").boolean(),
+          .origin = read_origin(node)};
+}
+
 /// Dorsal is up where nothing is said; to an eye that looks straight down, distal.
 Vec3 read_up(const JsonNode& node, const Vec3& eye_in_bone) {
   constexpr double straight = 0.999;
@@ -165,6 +183,11 @@ void read_lists(const JsonNode& node, Scenario& scenario) {
   for (const JsonNode& entry : node.at("danger_zones").list(0, 64)) {
     scenario.danger_zones.push_back(read_danger_zone(entry));
   }
+  if (node.has("joint_surfaces")) {
+    for (const JsonNode& entry : node.at("joint_surfaces").list(1, 16)) {
+      scenario.joint_surfaces.push_back(read_joint_surface(entry));
+    }
+  }
 }
 
 }  // namespace
@@ -175,7 +198,7 @@ Scenario parse_scenario(std::string_view json, std::string_view name) {
   root.expect_keys(
       {"format", "name", "title", "version", "reviewed", "reviewed_by", "indication", "summary",
        "sources", "patient", "blade", "cuts", "steps", "danger_zones", "rubric"},
-      {"hinges", "start"});
+      {"hinges", "joint_surfaces", "start"});
   Scenario scenario;
   read_head(root, scenario);
   scenario.patient = read_patient(root.at("patient"));
@@ -210,6 +233,20 @@ Scenario read_scenario(const std::filesystem::path& file) {
         ": reviewed: a file cannot review itself; set it to false and leave reviewed_by empty");
   }
   return scenario;
+}
+
+Rubric rubric_for(const Rubric& rubric, std::string_view device_class) {
+  Rubric made = rubric;
+  for (RubricItem& item : made.items) {
+    for (const DeviceKnots& each : item.device_knots) {
+      if (each.device_class != device_class) continue;
+      static_cast<Knots&>(item) = each.knots;
+      item.origin = each.origin;
+      break;
+    }
+    item.device_knots.clear();
+  }
+  return made;
 }
 
 std::string review_label(const Scenario& scenario) {

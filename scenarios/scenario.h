@@ -101,22 +101,38 @@ struct OperationStep {
   std::string hinge;
 };
 
-/// Points for one metric: all of the weight up to `full`, none from `zero` on, linear between
-/// (lower is better; of a metric with a sign, its size).
+/// All of the weight up to `full`, none from `zero` on, linear between; where `full` is the greater
+/// one, higher is better.
 /// A band gives full points inside [full_low, full_high] and none outside (zero_low, zero_high).
-struct RubricItem {
-  std::string id, title, group, metric, cut, unit;
-  /// Rubric points x 1000.
-  std::int64_t weight_milli = 0;
+struct Knots {
   bool is_band = false;
   double full = 0.0, zero = 0.0;
   double zero_low = 0.0, full_low = 0.0, full_high = 0.0, zero_high = 0.0;
+
+  friend bool operator==(const Knots&, const Knots&) = default;
+};
+
+/// The knots of an item for attempts of one class of devices.
+struct DeviceKnots {
+  /// One of simulator::device_classes.
+  std::string device_class;
+  Knots knots;
+  std::string origin;
+};
+
+/// Points for one metric.
+struct RubricItem : Knots {
+  std::string id, title, group, metric, cut, unit;
+  /// Rubric points x 1000.
+  std::int64_t weight_milli = 0;
   /// Where the numbers come from.
   std::string origin;
   /// No surgeon and no measured expert stands behind them yet.
   bool is_provisional = true;
   /// What it is about, in place of `cut`.
-  std::string hinge;
+  std::string hinge, zone;
+  /// In place of its own knots, for the classes named; the others have its own.
+  std::vector<DeviceKnots> device_knots;
 };
 
 /// Caps the score where a metric exceeds its limit, or stays below it.
@@ -128,14 +144,18 @@ struct Gate {
   std::string origin;
   bool is_provisional = true;
   /// What it is about, in place of `cut`.
-  std::string hinge;
+  std::string hinge, zone;
   /// The limit is the least that is asked for.
   bool is_at_least = false;
 };
 
-/// The cut or the hinge that an item or a gate is about.
+/// The cut, the hinge or the zone that an item, a gate or a step is about; empty where it is about
+/// none.
 template <typename Part>
 const std::string& subject_of(const Part& part) noexcept {
+  if constexpr (requires { part.zone; }) {
+    if (!part.zone.empty()) return part.zone;
+  }
   return part.hinge.empty() ? part.cut : part.hinge;
 }
 
@@ -168,6 +188,22 @@ struct DangerZone {
   bool is_checked = false;
   std::string origin;
   std::string from_landmark = {}, to_landmark = {};
+};
+
+/// A part of the bone's surface that is a joint's: where its outer surface lies within `radius_mm`
+/// of a place and looks within an angle of a direction.
+struct JointSurface {
+  std::string name, title;
+  /// The place: a landmark, and from it along the axes of the bone frame.
+  std::string around;
+  Vec3 offset_in_bone_mm{0.0, 0.0, 0.0};
+  double radius_mm = 0.0;
+  /// Along the axes of the bone frame, of unit length.
+  Vec3 facing_in_bone{1.0, 0.0, 0.0};
+  double within_rad = 0.0;
+  /// True once an anatomist or surgeon has confirmed where it lies.
+  bool is_checked = false;
+  std::string origin;
 };
 
 /// Where somebody stands and holds the saw when the operation begins; directions along the axes of
@@ -217,6 +253,8 @@ struct Scenario {
   std::vector<ReferenceHinge> hinges;
   /// Nothing in older texts: then the program chooses.
   std::optional<StartingPlace> start = {};
+  /// None in older texts.
+  std::vector<JointSurface> joint_surfaces = {};
 };
 
 /// The scenario in a JSON text; `name` stands in the messages.
@@ -227,6 +265,9 @@ Scenario parse_scenario(std::string_view json, std::string_view name);
 /// The scenario in a file of at most 256 KiB that somebody brings.
 /// errors  ScenarioError: as parse_scenario, where the file cannot be read, or claims a review
 Scenario read_scenario(const std::filesystem::path& file);
+
+/// The rubric as it is for attempts with that class of devices: each item with the knots of it.
+Rubric rubric_for(const Rubric& rubric, std::string_view device_class);
 
 /// Whether a surgeon reviewed it, in words: shown wherever the scenario is seen.
 std::string review_label(const Scenario& scenario);

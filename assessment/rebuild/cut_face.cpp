@@ -53,8 +53,9 @@ CutFace face_of_kerf(const RebuiltBone& rebuilt, std::int32_t index, const Plann
   face.done_fraction = done_fraction_of(rebuilt, index, hinge);
   face.is_finished = face.done_fraction == 1.0;
   FaceSamples samples = sample_wall_of_pieces(rebuilt, {index, side}, face.piece);
+  face.is_wall = !samples.points_in_bone_mm.empty();
   const bool is_taken_away = kerf.is_finished();  // then a face on no piece is gone with its piece
-  if (samples.points_in_bone_mm.empty() && !is_taken_away) {
+  if (!face.is_wall && !is_taken_away) {
     samples = sample_opened(kerf, rebuilt.fields.field(index), side);
   }
   face.samples_in_bone_mm = std::move(samples.points_in_bone_mm);

@@ -24,6 +24,8 @@ struct CutFace {
   /// That has the face: 0 is the largest. A face on no piece is sampled where the blade opened
   /// bone.
   std::size_t piece = 0;
+  /// It stands on that piece.
+  bool is_wall = false;
 };
 
 /// The faces of all kerfs that belong to the planned cut `cut` (see cuts_of_kerfs), the one that

@@ -112,17 +112,6 @@ void add_opened(Heights& heights, const SectionRegion& region, const simulator::
 /// Finer than the samples of a face: a strip that is left must show.
 constexpr double window_step_mm = 0.1;
 
-bool is_open_in_another(const RebuiltBone& rebuilt, std::int32_t index, const Vec3& point_mm) {
-  for (std::int32_t other = 0; other < rebuilt.fields.count(); ++other) {
-    if (other == index) continue;
-    const Vec3 local = transform_point(rebuilt.fields.kerf_from_bone(other), point_mm);
-    const double half_mm = 0.5 * rebuilt.fields.plane(other).thickness_mm;
-    if (std::abs(local.z) > half_mm) continue;
-    if (rebuilt.fields.field(other).is_open(Vec2{local.x, local.y})) return true;
-  }
-  return false;
-}
-
 struct WindowCount {
   std::int64_t wanted = 0, open = 0;
 };
@@ -164,7 +153,7 @@ void count_row(WindowCount& count, const RebuiltBone& rebuilt, std::int32_t inde
   const KerfPlane& plane = rebuilt.fields.plane(index);
   for (const Vec2& place_mm : row) {
     const Vec3 point_mm = transform_point(plane.bone_from_kerf, Vec3{place_mm.x, place_mm.y, 0.0});
-    if (is_open_in_another(rebuilt, index, point_mm)) return;
+    if (kerf_open_at(rebuilt, point_mm, index) >= 0) return;
     if (glm::dot(window.outward, point_mm) > window.limit_mm) continue;
     const auto above = std::upper_bound(borders_mm.begin(), borders_mm.end(), place_mm.x);
     const bool is_bone = (above - borders_mm.begin()) % 2 != 0;
@@ -174,7 +163,29 @@ void count_row(WindowCount& count, const RebuiltBone& rebuilt, std::int32_t inde
   }
 }
 
+Heights heights_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
+                       std::int32_t side, double step_mm) {
+  const double height_mm = 0.5 * kerf.section.plane.thickness_mm * side;
+  Heights heights;
+  for (std::size_t region = 0; region < kerf.section.regions.size(); ++region) {
+    if (kerf.is_touched[region] == 0) continue;
+    add_opened(heights, kerf.section.regions[region], field, height_mm, step_mm);
+  }
+  return heights;
+}
+
 }  // namespace
+
+std::int32_t kerf_open_at(const RebuiltBone& rebuilt, const Vec3& point_mm, std::int32_t but_for) {
+  for (std::int32_t kerf = 0; kerf < rebuilt.fields.count(); ++kerf) {
+    if (kerf == but_for) continue;
+    const Vec3 local = transform_point(rebuilt.fields.kerf_from_bone(kerf), point_mm);
+    const double half_mm = 0.5 * rebuilt.fields.plane(kerf).thickness_mm;
+    if (std::abs(local.z) > half_mm) continue;
+    if (rebuilt.fields.field(kerf).is_open(Vec2{local.x, local.y})) return kerf;
+  }
+  return -1;
+}
 
 double opened_share(const RebuiltBone& rebuilt, std::int32_t index,
                     const scenarios::PlannedWindow& window) {
@@ -220,16 +231,14 @@ FaceSamples sample_wall(const CutSolid& piece, const simulator::FaceSource& wall
 
 FaceSamples sample_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
                           std::int32_t side) {
-  const KerfPlane& plane = kerf.section.plane;
-  const double height_mm = 0.5 * plane.thickness_mm * side;
-  return sample_finely(plane, [&](double step_mm) {
-    Heights heights;
-    for (std::size_t region = 0; region < kerf.section.regions.size(); ++region) {
-      if (kerf.is_touched[region] == 0) continue;
-      add_opened(heights, kerf.section.regions[region], field, height_mm, step_mm);
-    }
-    return heights;
-  });
+  return sample_finely(kerf.section.plane,
+                       [&](double step_mm) { return heights_opened(kerf, field, side, step_mm); });
+}
+
+std::vector<Vec3> points_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
+                                std::int32_t side, double step_mm) {
+  return samples_from(heights_opened(kerf, field, side, step_mm), kerf.section.plane, step_mm)
+      .points_in_bone_mm;
 }
 
 }  // namespace hallux::assessment

@@ -42,13 +42,15 @@ RebuiltKerf frozen_at(std::int64_t tick) {
   return kerf;
 }
 
-void stamp_kerfs(RebuiltBone& rebuilt, const Recording& recording, const Progress& progress) {
+void stamp_kerfs(RebuiltBone& rebuilt, const Recording& recording, const SampleFollower& follow,
+                 const Progress& progress) {
   const auto count = static_cast<double>(recording.samples.size());
   open_kerfs(
       rebuilt.fields, recording,
       [&](std::int64_t tick) { rebuilt.kerfs.push_back(frozen_at(tick)); },
       [&](std::size_t index, const simulator::FieldWindow&) {
         note_cutting(rebuilt, recording.samples[index]);
+        if (follow) follow(recording.samples[index], rebuilt.fields);
         if (index % samples_per_report == 0)
           report(progress, stamping_share * static_cast<double>(index) / count);
       });
@@ -119,14 +121,15 @@ bool RebuiltKerf::is_finished() const noexcept { return done_fraction() == 1.0; 
 
 RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Blade& blade,
                     const simulator::Recording& recording, const Progress& progress,
-                    const OpenedFields* opened) {
+                    const OpenedFields* opened, const SampleFollower& follow) {
   RebuiltBone rebuilt{
       simulator::KerfSet(blade, bone.world_from_bone), {}, {}, {}, 0.0, 0.0, 0.0, 0};
   if (opened != nullptr) {
+    CHECK(!follow);
     CHECK(are_of(*opened, blade, bone.world_from_bone, recording));
     put_kerfs(rebuilt, recording, *opened);
   } else {
-    stamp_kerfs(rebuilt, recording, progress);
+    stamp_kerfs(rebuilt, recording, follow, progress);
   }
   CutBone cut(solid_of(bone));
   rebuilt.input_mm3 = signed_volume_mm3(cut.whole().mesh);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "assessment/rebuild/opened_fields.h"
@@ -54,14 +55,19 @@ struct RebuiltBone {
   std::int32_t debris_count = 0;
 };
 
+/// Called after each sample, in their order, with the kerfs as they stand then.
+using SampleFollower =
+    std::function<void(const simulator::ToolSample& sample, const simulator::KerfSet& kerfs)>;
+
 /// needs   recording's samples and events are in the order of their ticks
 /// ensures an event of tick t acts before the sample of tick t; kerfs act on the solid in the order
 ///         they were frozen; `opened` saves the stamping and changes no bit
-/// needs   where `opened` is given, fields of this recording (see are_of)
+/// needs   where `opened` is given, fields of this recording (see are_of), and no follower: kept
+///         fields know no time between
 /// errors  Cancelled
 /// thread  any
 RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Blade& blade,
                     const simulator::Recording& recording, const Progress& progress = {},
-                    const OpenedFields* opened = nullptr);
+                    const OpenedFields* opened = nullptr, const SampleFollower& follow = {});
 
 }  // namespace hallux::assessment

@@ -34,7 +34,7 @@ inline constexpr std::array<std::string_view, 4> stored_names<AttemptState>{"rec
 /// Of a recording, what is read.
 enum class RecordingPart {
   Whole,
-  /// Samples and events: all that scores and reports need. The input tape, two thirds of a
+  /// Samples and events: what a replay is shown from. The input tape, two thirds of a
   /// recording's memory, is checked and not kept.
   Outputs
 };

@@ -37,13 +37,15 @@ def without_comments_and_text(source):
 def function_lengths(source):
     """(first line, lines) of each outermost pair of braces that is not a namespace, a type or a table."""
     text = without_comments_and_text(source)
-    line, head, stack = 1, "", []
+    line, head, stack, before = 1, "", [], ""
     for letter in text:
         if letter == "\n":
             line += 1
         if letter == "{":
             inside_function = any(is_function for is_function, _ in stack)
-            stack.append((not inside_function and not CONTAINER.search(head.strip()), line))
+            # The second brace of `= {{` opens the same table as the first.
+            is_table = before == "{" and bool(stack) and not stack[-1][0]
+            stack.append((not inside_function and not is_table and not CONTAINER.search(head.strip()), line))
             head = ""
         elif letter == "}" and stack:
             is_function, first = stack.pop()
@@ -54,6 +56,8 @@ def function_lengths(source):
             head = ""
         else:
             head += letter
+        if not letter.isspace():
+            before = letter
 
 
 def files_per_folder(root):

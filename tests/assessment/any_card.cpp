@@ -52,7 +52,10 @@ database::ScoreCard any_card() {
       if (*rc::gen::inRange(0, 4) == 0) continue;
       measurements.push_back(measured(id + "_mm", any_value()));
       measurements.back().done_fraction = *rc::gen::inRange(0, 2) == 0 ? 1.0 : any_value() / 1.5;
-      measurements.back().is_measured = *rc::gen::inRange(0, 6) != 0;
+      if (*rc::gen::inRange(0, 4) == 0) {
+        measurements.back().absence =
+            *rc::gen::element(Absence::NotMade, Absence::NotDone, Absence::Undefined);
+      }
     }
   }
   for (int count = *rc::gen::inRange(0, 3); count > 0; --count) {

@@ -22,7 +22,7 @@ Examination examination_of(const std::vector<Stroke>& strokes) {
   const simulator::Bone bone = testing::block_bone();
   Recording recording;
   for (const Stroke& stroke : strokes) add_stroke(recording, bone, stroke);
-  return assess_fully(testing::block_scenario(), bone, recording);
+  return assess_fully(testing::block_scenario(), bone, recording, "scripted");
 }
 
 double value_of(const Examination& examination, const char* metric) {
@@ -128,7 +128,7 @@ ScoreCard card_with(const std::vector<std::pair<std::int64_t, simulator::CutEven
     event.subject = 0;
     recording.events.push_back(event);
   }
-  return assess_fully(testing::block_scenario(), bone, recording).card;
+  return assess_fully(testing::block_scenario(), bone, recording, "scripted").card;
 }
 
 constexpr const char* after_done = "sawn after Done; it counts as well";

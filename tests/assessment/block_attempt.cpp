@@ -13,6 +13,9 @@ using simulator::ToolStatus;
 
 namespace {
 
+/// Of the hand, against the feed.
+constexpr double push_newton = 9.0;
+
 constexpr double feed_mm = 0.05;
 constexpr double first_y_mm = 9.7;
 
@@ -127,7 +130,12 @@ void add_stroke(Recording& recording, const Bone& bone, const Stroke& stroke) {
                     static_cast<std::uint32_t>(ToolStatus::InKerf) |
                     static_cast<std::uint32_t>(ToolStatus::Cutting);
     sample.kerf = kerf;
-    sample.force_mn = {0, 9000, 0};
+    const Vec3 force_newton =
+        transform_direction(bone.world_from_bone, Vec3{0.0, push_newton, 0.0});
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      sample.force_mn[axis] =
+          millinewton_from_newton(force_newton[static_cast<glm::length_t>(axis)]);
+    }
     recording.samples.push_back(sample);
   }
 }

@@ -48,7 +48,7 @@ TEST(Ledger, ScoresWhatWasEarnedOfWhatCouldBeMeasured) {
 
 TEST(Ledger, AnItemWhoseCutWasNotMadeLosesAllOfIt) {
   std::vector<Measurement> measurements{measured("a_mm", 0.0)};
-  measurements[0].is_measured = false;
+  measurements[0].absence = Absence::NotMade;
   const ScoreCard card = score_rubric(two_groups(), measurements);
   EXPECT_EQ(card.measured_milli, 60000);
   EXPECT_EQ(card.score_milli, 0);
@@ -112,7 +112,7 @@ TEST(Ledger, AGateOfACutThatWasNotMadeStaysShut) {
   Rubric rubric = two_groups();
   rubric.gates = {gate("g_mm", 1.0, 0)};
   std::vector<Measurement> measurements{measured("a_mm", 0.0), measured("g_mm", 9.0)};
-  measurements[1].is_measured = false;
+  measurements[1].absence = Absence::NotMade;
   EXPECT_EQ(score_rubric(rubric, measurements).score_milli, 100000);
 }
 

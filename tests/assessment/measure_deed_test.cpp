@@ -23,9 +23,9 @@ constexpr Vec3 in_eminence_mm{30.0, 0.0, -10.0};
 
 double piece_out_of(const Recording& recording) {
   const Examination examination =
-      assess_fully(testing::block_scenario(), testing::block_bone(), recording);
+      assess_fully(testing::block_scenario(), testing::block_bone(), recording, "scripted");
   const Measurement* made = find_measurement(examination.measurements, "piece_out", "eminence");
-  EXPECT_TRUE(made->is_measured);
+  EXPECT_TRUE(made->is_measured());
   return made->value;
 }
 
@@ -84,7 +84,7 @@ TEST(PieceOut, AnswersAtTheMomentOfTheRemovalOrAtTheEnd) {
   Recording recording = sawn({Stroke{}});
   const auto moment_us = [&] {
     const Examination examination =
-        assess_fully(testing::block_scenario(), testing::block_bone(), recording);
+        assess_fully(testing::block_scenario(), testing::block_bone(), recording, "scripted");
     return find_measurement(examination.measurements, "piece_out", "eminence")->start_us;
   };
   const std::int64_t last_us = 1000 * recording.samples.back().tick;
@@ -102,7 +102,8 @@ Deeds deeds_of(const Recording& recording) {
   scenarios::Scenario scenario = testing::akin_scenario();
   scenario.steps = {{scenarios::StepKind::Remove, "", "", "", "lateral"},
                     {scenarios::StepKind::Close, "", "", "", "lateral"}};
-  const Examination examination = assess_fully(scenario, testing::oval_bone(), recording);
+  const Examination examination =
+      assess_fully(scenario, testing::oval_bone(), recording, "scripted");
   const auto value = [&](const char* metric) {
     return find_measurement(examination.measurements, metric, "", "lateral")->value;
   };

@@ -77,7 +77,7 @@ TEST(Sentences, TheThreeGreatestLossesComeFirst) {
 
 TEST(Sentences, SayWhyNothingCouldBeMeasured) {
   Measurement absent = measured("angle_deg", 0.0, "");
-  absent.is_measured = false;
+  absent.absence = Absence::NotMade;
   const ScoreCard card = explained(silver_like(), {absent});
   EXPECT_EQ(card.sentences.at(0), "The cut was not made: 100 points lost.");
   EXPECT_EQ(card.ledger.at(0).text,
@@ -194,7 +194,7 @@ TEST(Sentences, WhatAHingeLosesIsLaidToTheLessFinishedOfItsCuts) {
   ASSERT_EQ(half.sentences.size(), 2U);
   EXPECT_TRUE(half.sentences[0].starts_with("First cut: The face is tilted 8.0 deg"));
   EXPECT_TRUE(half.sentences[1].starts_with("Second cut: Unfinished cut: 50 % was sawn"));
-  second.is_measured = wedge.is_measured = false;
+  second.absence = wedge.absence = Absence::NotMade;
   const ScoreCard none = explained(scenario, {measured("angle_deg", 1.0, ""), second, wedge});
   EXPECT_EQ(none.sentences[0], "Second cut: The cut was not made: 42.9 points lost.");
 }

@@ -117,10 +117,7 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   outcome.quality = quality_of(outcome.loop, outcome.recorder);
   outcome.quality.device = set_up.hand->facts();
   outcome.recorder = recorder.finish(quality_json(outcome.quality));
-  outcome.card =
-      score_attempt(load_attempt(database, desk, outcome.attempt, database::RecordingPart::Outputs),
-                    progress)
-          .card;
+  outcome.card = score_attempt(load_attempt(database, desk, outcome.attempt), progress).card;
   desk.store_score(outcome.attempt, outcome.card);
   return outcome;
 }
@@ -160,7 +157,7 @@ assessment::Examination score_attempt(const AttemptMaterial& material,
                                       const StageProgress& progress) {
   return cancelled_as("stopped while scoring; nothing was changed", [&] {
     return assessment::assess_fully(material.scenario, material.bone, material.recording,
-                                    progress("Scoring"));
+                                    material.header.begun.device_class, progress("Scoring"));
   });
 }
 

@@ -136,6 +136,7 @@ assessment::Examination examine_kept(const AttemptMaterial& material,
     const OpenedFields fields =
         fields_of(material, data_directory, part_of(reached, 0.0, fields_share));
     return assessment::assess_fully(material.scenario, material.bone, material.recording,
+                                    material.header.begun.device_class,
                                     part_of(reached, fields_share, 1.0), &fields);
   });
 }

@@ -80,8 +80,7 @@ RescoredAttempt rescored(database::Database& database, const Listed& listed,
   attempt.header = listed.header;
   try {
     if (auto score = listed.desk->score(listed.header.id)) attempt.before = std::move(score->card);
-    AttemptMaterial material =
-        load_attempt(database, *listed.desk, listed.header.id, database::RecordingPart::Outputs);
+    AttemptMaterial material = load_attempt(database, *listed.desk, listed.header.id);
     if (scenario) material.scenario = *scenario;
     attempt.after = score_attempt(material, progress).card;
   } catch (const DatabaseError& error) {

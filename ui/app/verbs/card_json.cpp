@@ -1,10 +1,16 @@
 #include "ui/app/verbs/card_json.h"
 
+#include "scenarios/metric_names.h"
+
 namespace hallux::ui {
 
 namespace {
 
 using nlohmann::ordered_json;
+
+ordered_json named_or_null(std::string_view name) {
+  return name.empty() ? ordered_json() : ordered_json(name);
+}
 
 double points(std::int64_t milli) { return static_cast<double>(milli) / 1000.0; }
 
@@ -62,6 +68,29 @@ ordered_json ledger_json(const database::ScoreCard& card) {
     ledger.push_back(std::move(row));
   }
   return ledger;
+}
+
+ordered_json measurements_json(std::span<const assessment::Measurement> measurements) {
+  ordered_json list = ordered_json::array();
+  for (const assessment::Measurement& each : measurements) {
+    const scenarios::MetricName* metric = scenarios::find_metric(each.metric);
+    const bool is_measured = each.is_measured();
+    const Vec3& place = each.place_in_bone_mm;
+    ordered_json row = {{"metric", each.metric},
+                        {"cut", named_or_null(each.cut)},
+                        {"hinge", named_or_null(each.hinge)},
+                        {"zone", named_or_null(each.zone)},
+                        {"value", is_measured ? ordered_json(each.value) : ordered_json()},
+                        {"unit", metric == nullptr ? "" : metric->unit},
+                        {"bound", is_measured ? ordered_json(each.bound) : ordered_json()},
+                        {"done_fraction", each.done_fraction},
+                        {"start_us", each.start_us},
+                        {"end_us", each.end_us},
+                        {"place_in_bone_mm", {place.x, place.y, place.z}},
+                        {"not_measured_because", named_or_null(reason_of(each.absence))}};
+    list.push_back(std::move(row));
+  }
+  return list;
 }
 
 }  // namespace hallux::ui

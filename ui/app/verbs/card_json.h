@@ -3,7 +3,9 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <span>
 
+#include "assessment/measurement.h"
 #include "database/records/score.h"
 
 namespace hallux::ui {
@@ -13,5 +15,8 @@ namespace hallux::ui {
 nlohmann::ordered_json card_summary_json(const database::ScoreCard& card, bool is_confirmed);
 /// `ledger`: one object a line; points_lost are shown points, so they add up to 100 - score.
 nlohmann::ordered_json ledger_json(const database::ScoreCard& card);
+
+/// `measurements`: one object for each metric of each subject, measured or not.
+nlohmann::ordered_json measurements_json(std::span<const assessment::Measurement> measurements);
 
 }  // namespace hallux::ui

@@ -49,14 +49,14 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
   database::Database database = open_kept(context);
   const AttemptAction wanted{Action::StoreScore, {id}};
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
-    const AttemptMaterial material =
-        load_attempt(database, desk, {id}, database::RecordingPart::Outputs);
+    const AttemptMaterial material = load_attempt(database, desk, {id});
     const bool is_stored = desk.may(Action::StoreScore, material.header);
     if (!is_stored) {
       context.notes << "The score is shown and not kept: the robot's attempts are scored anew "
                        "without --as, or by instructors and administrators.\n";
     }
-    const database::ScoreCard card = score_attempt(material, stages_on(context)).card;
+    const assessment::Examination examination = score_attempt(material, stages_on(context));
+    const database::ScoreCard& card = examination.card;
     if (is_stored) desk.store_score(material.header.id, card);
     const database::AttemptHeader header = header_about(desk, material.header.id, card);
     if (context.json) {
@@ -66,6 +66,7 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
                              {"stored", is_stored}};
       answer.update(card_summary_json(card, is_confirmed(header)));
       answer["ledger"] = ledger_json(card);
+      answer["measurements"] = measurements_json(examination.measurements);
       write_json(context.out, answer);
     } else {
       context.out << score_sheet(card, material.scenario, signature_text(header));
@@ -79,8 +80,7 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
   database::Database database = open_to_read(context);
   const AttemptAction wanted{Action::ViewAttempt, {options.attempt}};
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
-    const AttemptMaterial material =
-        load_attempt(database, desk, {options.attempt}, database::RecordingPart::Outputs);
+    const AttemptMaterial material = load_attempt(database, desk, {options.attempt});
     ReportMaterial shown = report_material(material.scenario, material.bone, material.recording,
                                            score_attempt(material, stages_on(context)),
                                            material.header.begun.guidance);

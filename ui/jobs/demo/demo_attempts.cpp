@@ -55,7 +55,7 @@ OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAtte
   }
   drain(channels, operated.recording);
   operated.card = assessment::assess(operation.scenario, operation.bone, operated.recording,
-                                     part_of(progress, operating_part, 1.0));
+                                     "scripted", part_of(progress, operating_part, 1.0));
   return operated;
 }
 

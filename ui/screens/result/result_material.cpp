@@ -64,8 +64,7 @@ LoadedAttempt load_for(SignedInSession& signed_in, const database::AttemptId& id
   return signed_in.in_turn([&](database::Session& session, database::Database& database) {
     database::AttemptDesk desk = desk_or_refused(session.desk_for(Action::ViewAttempt, id),
                                                  "this account may not see attempts any more");
-    return LoadedAttempt{load_attempt(database, desk, id, database::RecordingPart::Outputs),
-                         database.directory()};
+    return LoadedAttempt{load_attempt(database, desk, id), database.directory()};
   });
 }
 

@@ -129,8 +129,8 @@ TEST_P(ACrumbAlone, IsSawnOnFromAndGoesWithThePiece) {
   EXPECT_EQ(removed[0].subject, 2) << "the piece, which came free last";
   EXPECT_EQ(removed[1].subject, 1);
   const PreparedCase& prepared = forked_.operation.prepared_case();
-  const assessment::Examination examination =
-      assessment::assess_fully(prepared.scenario, prepared.bone, forked_.operation.recording());
+  const assessment::Examination examination = assessment::assess_fully(
+      prepared.scenario, prepared.bone, forked_.operation.recording(), "mouse");
   EXPECT_EQ(assessment::find_measurement(examination.measurements, "piece_out", "across")->value,
             1.0);
 }

@@ -336,7 +336,7 @@ struct SawnCourse {
 TEST(ResultScreen, TellsHeatBendAndDangerZonesAsTheReportDoes) {
   SawnCourse akin;
   const assessment::Examination examination = assessment::assess_fully(
-      akin.operation.scenario, akin.operation.bone, akin.operation.recording);
+      akin.operation.scenario, akin.operation.bone, akin.operation.recording, "scripted");
   const Traces traces = traces_of(akin.operation.recording, akin.operation.bone,
                                   {akin.operation.scenario.saw}, examination.rebuilt.fields);
   ASSERT_TRUE(was_hot(traces.heat)) << traces.heat.hottest_celsius;

@@ -1,0 +1,243 @@
+#include "assessment/measure_process.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "assessment/make_measurement.h"
+#include "assessment/number_text.h"
+#include "assessment/process/entries.h"
+#include "assessment/process/free_movements.h"
+#include "assessment/process/handle_track.h"
+#include "assessment/process/pace.h"
+#include "assessment/process/pushes.h"
+#include "assessment/process/saw_care.h"
+#include "assessment/process/step_order.h"
+#include "assessment/process/tool_path.h"
+#include "assessment/process/tool_place.h"
+#include "assessment/rebuild/joint_margin.h"
+
+namespace hallux::assessment {
+
+namespace {
+
+using scenarios::Metric;
+using simulator::ToolSample;
+
+/// The mean over the planned cuts of how much of each was sawn.
+double done_fraction_of(const Evidence& evidence) {
+  double sum = 0.0;
+  for (const std::vector<CutFace>& faces : evidence.faces)
+    sum += faces.empty() || faces.front().samples_in_bone_mm.empty() ? 0.0
+                                                                     : faces.front().done_fraction;
+  return sum / static_cast<double>(evidence.faces.size());
+}
+
+/// Gathers the attempt's metrics, with the tool's place at their moments.
+class ProcessList {
+ public:
+  explicit ProcessList(const Evidence& evidence)
+      : evidence_(evidence), bone_from_world_(inverse(evidence.bone.world_from_bone)) {}
+
+  void add(Metric metric, const Finding& finding) {
+    made_.push_back(measured(metric, finding, tool_at(finding.first_tick)));
+  }
+  void add(Metric metric, const std::optional<Finding>& finding, Absence otherwise) {
+    if (finding) return add(metric, *finding);
+    made_.push_back(absent(metric, otherwise, {}));
+  }
+  void add(Measurement measurement) { made_.push_back(std::move(measurement)); }
+  Measurement& last() { return made_.back(); }
+  std::vector<Measurement> take() { return std::move(made_); }
+
+ private:
+  /// In the bone's frame, at the first sample from this tick on.
+  Vec3 tool_at(std::int64_t tick) const {
+    const auto& samples = evidence_.recording.samples;
+    const auto found = std::lower_bound(
+        samples.begin(), samples.end(), tick,
+        [](const ToolSample& sample, std::int64_t wanted) { return sample.tick < wanted; });
+    if (found == samples.end()) return {0.0, 0.0, 0.0};
+    return tip_in_bone_mm(*found, bone_from_world_);
+  }
+
+  const Evidence& evidence_;
+  RigidTransform bone_from_world_;
+  std::vector<Measurement> made_;
+};
+
+std::int64_t last_tick_of(const simulator::Recording& recording) {
+  return recording.samples.empty() ? 0 : recording.samples.back().tick;
+}
+
+void add_joint_margin(ProcessList& list, const Evidence& evidence, const simulator::Bvh& surface) {
+  const auto margin =
+      measure_joint_margin(evidence.rebuilt, evidence.plan, evidence.bone.outer, surface);
+  if (!margin) {
+    const Absence why =
+        evidence.plan.joint_surfaces.empty() ? Absence::Undefined : Absence::NotMade;
+    list.add(absent(Metric::JointMarginMm, why, {}));
+    return;
+  }
+  const RebuiltKerf& kerf = evidence.rebuilt.kerfs[static_cast<std::size_t>(margin->kerf)];
+  list.add(measured(Metric::JointMarginMm, margin->margin_mm,
+                    {kerf.first_cutting_tick, kerf.last_cutting_tick}, margin->place_in_bone_mm));
+  list.last().bound = margin->bound_mm;
+  list.last().detail = "nearest to the " + evidence.plan.joint_surfaces[margin->surface].title;
+}
+
+/// One zone's three metrics, or those of all of them together.
+struct ZoneSum {
+  std::int64_t contacts = 0;
+  double contact_s = 0.0, depth_mm = 0.0;
+  std::optional<ZoneContacts> touched;
+};
+
+ZoneSum sum_of(const FollowedEffects& effects, std::size_t zone) {
+  const simulator::DangerTrack& track = effects.zone(zone);
+  return {track.contacts, track.contact_s, std::max(0.0, -track.least_mm), effects.contacts(zone)};
+}
+
+void add_to(ZoneSum& all, const ZoneSum& one) {
+  all.contacts += one.contacts;
+  all.contact_s += one.contact_s;
+  all.depth_mm = std::max(all.depth_mm, one.depth_mm);
+  if (!one.touched) return;
+  if (!all.touched) {
+    all.touched = one.touched;
+    return;
+  }
+  if (one.touched->first_tick < all.touched->first_tick) {
+    all.touched->first_tick = one.touched->first_tick;
+    all.touched->place_in_bone_mm = one.touched->place_in_bone_mm;
+  }
+  all.touched->last_tick = std::max(all.touched->last_tick, one.touched->last_tick);
+}
+
+void add_zone(ProcessList& list, const ZoneSum& sum, const std::string& zone,
+              const std::string& detail, std::int64_t end_tick) {
+  const ZoneContacts at = sum.touched.value_or(ZoneContacts{0, end_tick, {0.0, 0.0, 0.0}});
+  const Moment moment{at.first_tick, at.last_tick};
+  for (const auto& [metric, value] :
+       {std::pair{Metric::DangerContactsCount, static_cast<double>(sum.contacts)},
+        std::pair{Metric::DangerS, sum.contact_s},
+        std::pair{Metric::DangerDepthMm, sum.depth_mm}}) {
+    list.add(measured(metric, value, moment, at.place_in_bone_mm));
+    list.last().zone = zone;
+    list.last().detail = detail;
+  }
+}
+
+/// The titles of the zones that were touched.
+std::string touched_text(const Evidence& evidence, const FollowedEffects& effects) {
+  std::string text;
+  for (std::size_t zone = 0; zone < evidence.plan.danger_zones.size(); ++zone) {
+    if (effects.zone(zone).contacts == 0) continue;
+    text += (text.empty() ? "" : ", ") + evidence.scenario.danger_zones[zone].title;
+  }
+  return text;
+}
+
+void add_zones(ProcessList& list, const Evidence& evidence, const FollowedEffects& effects) {
+  const std::int64_t end_tick = last_tick_of(evidence.recording);
+  ZoneSum all;
+  for (std::size_t zone = 0; zone < evidence.plan.danger_zones.size(); ++zone) {
+    const ZoneSum sum = sum_of(effects, zone);
+    add_to(all, sum);
+    add_zone(list, sum, evidence.plan.danger_zones[zone].name,
+             evidence.scenario.danger_zones[zone].title, end_tick);
+  }
+  add_zone(list, all, "", touched_text(evidence, effects), end_tick);
+}
+
+void add_heat(ProcessList& list, const FollowedEffects& effects, std::int64_t end_tick) {
+  const auto add = [&](Metric metric, double value, const std::optional<HeatPlace>& place) {
+    const HeatPlace at = place.value_or(HeatPlace{0, {0.0, 0.0, 0.0}});
+    list.add(measured(metric, value, {at.tick, place ? at.tick : end_tick}, at.place_in_bone_mm));
+  };
+  add(Metric::HotS, effects.heat().hot_s, effects.hot());
+  list.last().detail =
+      "the hottest reached " + value_text(effects.heat().hottest_celsius, "degrees Celsius");
+  add(Metric::NecroticMm3, effects.heat().necrotic_mm3, effects.dead());
+}
+
+void add_pushes(ProcessList& list, const Evidence& evidence) {
+  const Pushes pushes = measure_pushes(evidence.recording);
+  list.add(Metric::ForcePeakNewton, pushes.peak_newton, Absence::NotMade);
+  list.add(Metric::ForceP95Newton, pushes.p95_newton, Absence::NotMade);
+  list.add(Metric::SideLoadNewton, pushes.side_newton, Absence::NotMade);
+}
+
+void add_saw_care(ProcessList& list, const Evidence& evidence, const simulator::Bvh& surface) {
+  const SawCare care =
+      measure_saw_care(evidence.recording, surface, inverse(evidence.bone.world_from_bone));
+  list.add(Metric::AirCuttingS, care.air_s);
+  list.add(Metric::StartedInBone, care.started_in_bone);
+  list.add(Metric::IrrigatedShare, care.irrigated_share, Absence::NotMade);
+}
+
+/// A recording without its tape does not tell how the handle moved.
+Absence absence_of_movements(const Evidence& evidence) {
+  return evidence.recording.tape.empty() ? Absence::NotRecorded : Absence::Undefined;
+}
+
+void add_movements(ProcessList& list, const Evidence& evidence, const simulator::Bvh& surface) {
+  const std::vector<HandleStretch> stretches = handle_stretches(evidence.recording);
+  const Smoothness smoothness = measure_smoothness(stretches);
+  const Absence why = absence_of_movements(evidence);
+  list.add(Metric::Sparc, smoothness.sparc, why);
+  list.add(Metric::Ldlj, smoothness.ldlj, why);
+  const Pace pace = measure_pace(evidence.recording, stretches);
+  list.add(Metric::TimeS, pace.time_s, Absence::NotDone);
+  list.add(Metric::PlanningS, pace.planning_s, Absence::NotMade);
+  if (why == Absence::NotRecorded) {
+    list.add(absent(Metric::IdleS, why, {}));
+    list.add(absent(Metric::PathRatio, why, {}));
+    return;
+  }
+  list.add(Metric::IdleS, pace.idle_s);
+  list.add(Metric::PathRatio, measure_path_ratio(evidence, surface), Absence::NotMade);
+}
+
+/// Of an attempt that never began.
+std::vector<Measurement> nothing_recorded(const Evidence& evidence) {
+  std::vector<Measurement> made;
+  const auto add = [&](Metric metric, const std::string& zone) {
+    made.push_back(absent(metric, Absence::NotMade, {}));
+    made.back().done_fraction = 0.0;
+    made.back().zone = zone;
+  };
+  for (const scenarios::MetricName& metric : scenarios::known_metrics()) {
+    if (metric.subject == scenarios::MetricSubject::Attempt) add(metric.metric, "");
+    if (metric.subject != scenarios::MetricSubject::Zone) continue;
+    for (const scenarios::PlannedZone& zone : evidence.plan.danger_zones)
+      add(metric.metric, zone.name);
+    add(metric.metric, "");
+  }
+  return made;
+}
+
+}  // namespace
+
+std::vector<Measurement> measure_process(const Evidence& evidence, const FollowedEffects& effects,
+                                         const simulator::Bvh& surface) {
+  if (evidence.recording.samples.empty()) return nothing_recorded(evidence);
+  ProcessList list(evidence);
+  add_joint_margin(list, evidence, surface);
+  add_zones(list, evidence, effects);
+  add_heat(list, effects, last_tick_of(evidence.recording));
+  add_pushes(list, evidence);
+  list.add(Metric::RestartsCount, measure_restarts(evidence));
+  add_saw_care(list, evidence, surface);
+  add_movements(list, evidence, surface);
+  std::vector<Measurement> made = list.take();
+  const double done = done_fraction_of(evidence);
+  for (Measurement& each : made) each.done_fraction = done;
+  // What was carried out of the steps is told by the steps themselves.
+  made.push_back(measured(Metric::StepOrder, measure_step_order(evidence), {}));
+  return made;
+}
+
+}  // namespace hallux::assessment

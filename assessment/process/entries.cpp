@@ -1,0 +1,83 @@
+#include "assessment/process/entries.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace hallux::assessment {
+
+namespace {
+
+using simulator::ToolSample;
+
+constexpr double away_mm = 3.0;
+/// A section that is hardly wider than a blade needs no other stroke: the edges of its outline are
+/// found by grids.
+constexpr double spare_mm = 0.1;
+
+Vec3 place_of(const ToolSample& sample) noexcept {
+  return transform_from(sample.world_from_tool).translation_mm;
+}
+
+struct Entry {
+  std::int32_t kerf = -1;
+  std::int64_t tick = 0;
+};
+
+std::vector<Entry> entries_of(const simulator::Recording& recording) {
+  std::vector<Entry> entries;
+  std::int32_t last_kerf = -1;
+  Vec3 left_mm{0.0, 0.0, 0.0};
+  double furthest_mm = 0.0;
+  for (const ToolSample& sample : recording.samples) {
+    if (sample.kerf < 0) {
+      furthest_mm = std::max(furthest_mm, length_of(place_of(sample) - left_mm));
+      continue;
+    }
+    if (sample.kerf != last_kerf || furthest_mm > away_mm)
+      entries.push_back({sample.kerf, sample.tick});
+    last_kerf = sample.kerf;
+    left_mm = place_of(sample);
+    furthest_mm = 0.0;
+  }
+  return entries;
+}
+
+/// One for each blade's width of the section that the kerf's blade touched.
+std::int64_t needed_in(const RebuiltKerf& kerf, double width_mm) {
+  double low_mm = INFINITY, high_mm = -INFINITY;
+  for (std::size_t index = 0; index < kerf.section.regions.size(); ++index) {
+    if (kerf.is_touched[index] == 0) continue;
+    low_mm = std::min(low_mm, kerf.section.regions[index].min_mm.y);
+    high_mm = std::max(high_mm, kerf.section.regions[index].max_mm.y);
+  }
+  if (!(high_mm > low_mm)) return 1;
+  const double widths = std::ceil((high_mm - low_mm - spare_mm) / width_mm);
+  return std::max<std::int64_t>(1, static_cast<std::int64_t>(widths));
+}
+
+/// Of the face that counts; none where the cut was not made.
+std::int64_t needed_of(const std::vector<CutFace>& faces, const Evidence& evidence) {
+  if (faces.empty()) return 0;
+  const auto kerf = static_cast<std::size_t>(faces.front().kerf);
+  return needed_in(evidence.rebuilt.kerfs[kerf], evidence.rebuilt.fields.blade().width_mm);
+}
+
+}  // namespace
+
+Finding measure_restarts(const Evidence& evidence) {
+  const std::vector<Entry> entries = entries_of(evidence.recording);
+  std::int64_t restarts = 0;
+  for (const std::vector<CutFace>& faces : evidence.faces) {
+    const auto is_of_cut = [&](const Entry& entry) {
+      return std::any_of(faces.begin(), faces.end(),
+                         [&](const CutFace& face) { return face.kerf == entry.kerf; });
+    };
+    const auto made = std::count_if(entries.begin(), entries.end(), is_of_cut);
+    restarts += std::max<std::int64_t>(0, made - needed_of(faces, evidence));
+  }
+  const std::int64_t tick = entries.empty() ? 0 : entries.back().tick;
+  return {static_cast<double>(restarts), tick, tick};
+}
+
+}  // namespace hallux::assessment

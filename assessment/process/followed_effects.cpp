@@ -1,0 +1,40 @@
+#include "assessment/process/followed_effects.h"
+
+namespace hallux::assessment {
+
+namespace {
+
+using simulator::CutEvent;
+using simulator::CutEventKind;
+
+std::vector<simulator::DangerCapsule> capsules_of(const scenarios::Plan& plan) {
+  std::vector<simulator::DangerCapsule> capsules;
+  for (const scenarios::PlannedZone& zone : plan.danger_zones) capsules.push_back(zone.capsule);
+  return capsules;
+}
+
+}  // namespace
+
+FollowedEffects::FollowedEffects(const simulator::Bone& bone, const simulator::Saw& saw,
+                                 const scenarios::Plan& plan)
+    : tissue_(bone),
+      effects_(bone.world_from_bone, {saw, false}, capsules_of(plan)),
+      contacts_(plan.danger_zones.size()) {}
+
+void FollowedEffects::follow(const simulator::ToolSample& sample, const simulator::KerfSet& kerfs) {
+  effects_.apply(sample, {tissue_, kerfs, {}});
+  for (CutEvent event; effects_.take_event(kerfs, event);) note(event);
+}
+
+void FollowedEffects::note(const CutEvent& event) {
+  const Vec3 place_mm = transform_from(event.pose).translation_mm;
+  if (event.kind == CutEventKind::BoneHot && !hot_) hot_ = HeatPlace{event.tick, place_mm};
+  if (event.kind == CutEventKind::BoneNecrosis && !dead_) dead_ = HeatPlace{event.tick, place_mm};
+  const bool begins = event.kind == CutEventKind::DangerContact;
+  if (!begins && event.kind != CutEventKind::DangerLeft) return;
+  std::optional<ZoneContacts>& contacts = contacts_[static_cast<std::size_t>(event.subject)];
+  if (!contacts) contacts = ZoneContacts{event.tick, event.tick, place_mm};
+  contacts->last_tick = event.tick;
+}
+
+}  // namespace hallux::assessment

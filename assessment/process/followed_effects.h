@@ -1,0 +1,59 @@
+/// Heat and danger zones, followed again from the samples as the step followed them: in recordings
+/// of older engines, too. Inside this room only.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "scenarios/plan.h"
+#include "simulator/mesh/bone.h"
+#include "simulator/step/tool_effects.h"
+
+namespace hallux::assessment {
+
+/// When a zone was touched first, and for the last time.
+struct ZoneContacts {
+  std::int64_t first_tick = 0, last_tick = 0;
+  /// Of the teeth's middle at the first contact.
+  Vec3 place_in_bone_mm{0.0, 0.0, 0.0};
+};
+
+/// Where and when bone first became too hot.
+struct HeatPlace {
+  std::int64_t tick = 0;
+  Vec3 place_in_bone_mm{0.0, 0.0, 0.0};
+};
+
+class FollowedEffects {
+ public:
+  /// Borrows the bone.
+  FollowedEffects(const simulator::Bone& bone, const simulator::Saw& saw,
+                  const scenarios::Plan& plan);
+
+  /// needs   samples in their order; `kerfs` as they stand after the sample
+  void follow(const simulator::ToolSample& sample, const simulator::KerfSet& kerfs);
+
+  /// Per danger zone of the plan.
+  const simulator::DangerTrack& zone(std::size_t index) const noexcept {
+    return effects_.danger().tracks()[index];
+  }
+  /// Nothing where it was never touched.
+  const std::optional<ZoneContacts>& contacts(std::size_t zone) const noexcept {
+    return contacts_[zone];
+  }
+  const simulator::HeatSummary& heat() const noexcept { return effects_.heat().summary(); }
+  /// Of bone above 47 degrees, and of bone that heat killed.
+  const std::optional<HeatPlace>& hot() const noexcept { return hot_; }
+  const std::optional<HeatPlace>& dead() const noexcept { return dead_; }
+
+ private:
+  void note(const simulator::CutEvent& event);
+
+  simulator::TissueMap tissue_;
+  simulator::ToolEffects effects_;
+  std::vector<std::optional<ZoneContacts>> contacts_;
+  std::optional<HeatPlace> hot_, dead_;
+};
+
+}  // namespace hallux::assessment

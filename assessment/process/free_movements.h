@@ -1,0 +1,23 @@
+/// How smooth the hand's movements through air were. Inside this room only.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "assessment/process/finding.h"
+#include "assessment/process/handle_track.h"
+
+namespace hallux::assessment {
+
+/// The medians over all free movements; their moment is the least smooth one. Nothing below three
+/// movements.
+struct Smoothness {
+  std::optional<Finding> sparc;
+  std::optional<Finding> ldlj;
+};
+
+/// A free movement is a longest run of ticks in which neither a tooth touched bone nor a kerf held
+/// the blade and the handle moved with 5 mm/s or more, of at least 0.3 s.
+Smoothness measure_smoothness(std::span<const HandleStretch> stretches);
+
+}  // namespace hallux::assessment

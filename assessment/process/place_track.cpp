@@ -1,0 +1,58 @@
+#include "assessment/process/place_track.h"
+
+#include <utility>
+
+#include "assessment/metrics/low_pass.h"
+
+namespace hallux::assessment {
+
+namespace {
+
+using simulator::TapeLine;
+using simulator::ToolSample;
+
+void add_place(PlaceStretch& stretch, const Vec3& place_mm, std::uint32_t status) {
+  for (std::size_t axis = 0; axis < stretch.axes_mm.size(); ++axis)
+    stretch.axes_mm[axis].push_back(place_mm[static_cast<glm::length_t>(axis)]);
+  stretch.status.push_back(status);
+}
+
+/// The ticks that a line covers, the thing moving evenly to where the line has it.
+void add_line(PlaceStretch& stretch, const TapeLine& line, const Vec3& place_mm,
+              std::uint32_t status) {
+  if (stretch.count() == 0) stretch.first_tick = line.tick;
+  const Vec3 from_mm = stretch.count() == 0 ? place_mm : stretch.at_mm(stretch.count() - 1);
+  for (int tick = 1; tick <= line.ticks; ++tick) {
+    const double share = static_cast<double>(tick) / line.ticks;
+    add_place(stretch, from_mm + share * (place_mm - from_mm), status);
+  }
+}
+
+}  // namespace
+
+std::vector<PlaceStretch> followed_places(const simulator::Recording& recording,
+                                          const PlaceAt& place_at) {
+  std::vector<PlaceStretch> stretches;
+  PlaceStretch stretch;
+  const auto end_stretch = [&] {
+    if (stretch.count() == 0) return;
+    for (std::vector<double>& axis_mm : stretch.axes_mm) axis_mm = low_passed(axis_mm, {});
+    stretches.push_back(std::exchange(stretch, {}));
+  };
+  auto sample = recording.samples.begin();
+  std::int64_t next_tick = 0;
+  for (const TapeLine& line : recording.tape) {
+    const std::int64_t last_tick = line.tick + line.ticks - 1;
+    while (sample != recording.samples.end() && sample->tick < last_tick) ++sample;
+    const bool is_told = sample != recording.samples.end() && sample->tick == last_tick;
+    const bool runs = is_told && has(sample->status, simulator::ToolStatus::Running);
+    const std::optional<Vec3> place_mm = runs ? place_at(line, *sample) : std::nullopt;
+    if (!place_mm || line.tick != next_tick) end_stretch();
+    next_tick = last_tick + 1;
+    if (place_mm) add_line(stretch, line, *place_mm, sample->status);
+  }
+  end_stretch();
+  return stretches;
+}
+
+}  // namespace hallux::assessment

@@ -1,0 +1,56 @@
+#include "assessment/process/tool_path.h"
+
+#include <vector>
+
+#include "assessment/process/place_track.h"
+#include "assessment/process/tool_place.h"
+#include "scenarios/hands/planned_strokes.h"
+
+namespace hallux::assessment {
+
+namespace {
+
+using simulator::TapeLine;
+using simulator::ToolSample;
+
+double shortest_mm(const Evidence& evidence, const Vec3& from_in_bone_mm) {
+  Vec3 place_mm = from_in_bone_mm;
+  double way_mm = 0.0;
+  for (const scenarios::PlannedStroke& stroke :
+       planned_strokes(evidence.scenario, evidence.bone, evidence.plan)) {
+    const Vec3 begin_mm = stroke.bone_from_tool(stroke.first_mm).translation_mm;
+    way_mm += length_of(begin_mm - place_mm) + 2.0 * (stroke.last_mm - stroke.first_mm);
+    place_mm = begin_mm;
+  }
+  return way_mm;
+}
+
+double length_mm(const PlaceStretch& stretch) {
+  double way_mm = 0.0;
+  for (std::size_t index = 1; index < stretch.count(); ++index)
+    way_mm += length_of(stretch.at_mm(index) - stretch.at_mm(index - 1));
+  return way_mm;
+}
+
+}  // namespace
+
+std::optional<Finding> measure_path_ratio(const Evidence& evidence, const simulator::Bvh& surface) {
+  const RigidTransform bone_from_world = inverse(evidence.bone.world_from_bone);
+  NearBone near(surface);
+  const std::vector<PlaceStretch> stretches = followed_places(
+      evidence.recording, [&](const TapeLine&, const ToolSample& sample) -> std::optional<Vec3> {
+        const Vec3 tip_mm = tip_in_bone_mm(sample, bone_from_world);
+        if (!near.holds(tip_mm)) return std::nullopt;
+        return tip_mm;
+      });
+  if (stretches.empty()) return std::nullopt;
+  const double plan_mm = shortest_mm(evidence, stretches.front().at_mm(0));
+  if (!(plan_mm > 0.0)) return std::nullopt;
+  double way_mm = 0.0;
+  for (const PlaceStretch& stretch : stretches) way_mm += length_mm(stretch);
+  const PlaceStretch& last = stretches.back();
+  return Finding{way_mm / plan_mm, stretches.front().first_tick,
+                 last.first_tick + static_cast<std::int64_t>(last.count()) - 1};
+}
+
+}  // namespace hallux::assessment

@@ -1,0 +1,34 @@
+/// What an attempt left, as everything that measures it needs it. Inside this room only.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "assessment/rebuild/cut_face.h"
+#include "assessment/rebuild/rebuild.h"
+#include "scenarios/plan.h"
+#include "scenarios/scenario.h"
+#include "simulator/mesh/bone.h"
+#include "simulator/record/record.h"
+
+namespace hallux::assessment {
+
+/// Borrowed for the call.
+struct Evidence {
+  const scenarios::Scenario& scenario;
+  const scenarios::Plan& plan;
+  const RebuiltBone& rebuilt;
+  /// Per planned cut (see faces_of_cut).
+  const std::vector<std::vector<CutFace>>& faces;
+  const simulator::Bone& bone;
+  /// Samples and events in the order of their ticks.
+  const simulator::Recording& recording;
+};
+
+/// The face of a cut that counts first; null where there is none with points.
+inline const CutFace* counting_face(const Evidence& evidence, const std::string& cut) {
+  const std::vector<CutFace>& faces = evidence.faces[index_of_cut(evidence.plan, cut)];
+  return faces.empty() || faces.front().samples_in_bone_mm.empty() ? nullptr : &faces.front();
+}
+
+}  // namespace hallux::assessment
