@@ -8,6 +8,7 @@
 #include "assessment/measure_cut.h"
 #include "assessment/measure_deed.h"
 #include "assessment/measure_hinge.h"
+#include "assessment/measure_joint.h"
 #include "assessment/measure_piece.h"
 #include "assessment/measure_process.h"
 #include "assessment/rebuild/open_kerfs.h"
@@ -59,18 +60,14 @@ void add(std::vector<Measurement>& all, std::vector<Measurement> made) {
 void measure_all(Examination& examination, const Evidence& evidence, const FollowedEffects& effects,
                  const Progress& progress) {
   std::vector<Measurement>& all = examination.measurements;
-  const simulator::Bvh surface(evidence.bone.outer);
+  all = measure_geometry(evidence);
   for (std::size_t cut = 0; cut < evidence.plan.cuts.size(); ++cut) {
-    std::vector<Measurement> made = measure_cut(cut, evidence);
-    note_sawn_after_done(made, evidence.scenario, evidence.faces[cut], evidence.recording);
-    add(all, std::move(made));
+    note_sawn_after_done(all, evidence.scenario, evidence.plan.cuts[cut].name, evidence.faces[cut],
+                         evidence.recording);
   }
-  for (const scenarios::PlannedHinge& hinge : evidence.plan.hinges)
-    add(all, measure_hinge(hinge, evidence, all));
-  add(all, measure_pieces(evidence, surface));
   add(all, measure_deeds(evidence, progress));
   add(all, measure_closings(evidence));
-  add(all, measure_process(evidence, effects, surface));
+  add(all, measure_process(evidence, effects));
 }
 
 }  // namespace
@@ -85,13 +82,26 @@ Examination assess_fully(const scenarios::Scenario& scenario, const simulator::B
                                            part_of(progress, 0.0, rebuilt_share), opened);
   Examination examination{std::move(plan), std::move(rebuilt), {}, {}, {}};
   for (std::size_t cut = 0; cut < examination.plan.cuts.size(); ++cut)
-    examination.faces.push_back(faces_of_cut(examination.rebuilt, examination.plan, cut));
+    examination.faces.push_back(
+        faces_of_cut(examination.rebuilt, examination.plan, cut, {scenario.steps, recording}));
   const Evidence evidence{scenario, examination.plan, examination.rebuilt, examination.faces,
                           bone,     recording};
   measure_all(examination, evidence, effects, part_of(progress, rebuilt_share, 1.0));
   examination.card =
       score_measurements(scenario, examination.measurements, device_class, recording.engine);
   return examination;
+}
+
+std::vector<Measurement> measure_geometry(const Evidence& evidence) {
+  const simulator::Bvh surface(evidence.bone.outer);
+  std::vector<Measurement> all;
+  for (std::size_t cut = 0; cut < evidence.plan.cuts.size(); ++cut)
+    add(all, measure_cut(cut, evidence));
+  for (const scenarios::PlannedHinge& hinge : evidence.plan.hinges)
+    add(all, measure_hinge(hinge, evidence, all));
+  add(all, measure_pieces(evidence, surface));
+  all.push_back(joint_margin_measurement(evidence));
+  return all;
 }
 
 database::ScoreCard score_measurements(const scenarios::Scenario& scenario,

@@ -8,6 +8,7 @@
 
 #include "assessment/measurement.h"
 #include "assessment/rebuild/cut_face.h"
+#include "assessment/rebuild/evidence.h"
 #include "assessment/rebuild/rebuild.h"
 #include "database/records/score.h"
 #include "scenarios/plan.h"
@@ -37,6 +38,10 @@ struct Examination {
 Examination assess_fully(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                          const simulator::Recording& recording, std::string_view device_class,
                          const Progress& progress = {}, const OpenedFields* opened = nullptr);
+
+/// What the faces, hinges and pieces tell, and the margin to joints: what follows from where the
+/// kerfs lie.
+std::vector<Measurement> measure_geometry(const Evidence& evidence);
 
 /// The card that these measurements earn by the scenario's rubric: what a change of knots, weights
 /// or gates needs.

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "assessment/rebuild/evidence.h"
 #include "assessment/measurement.h"
+#include "assessment/rebuild/evidence.h"
 
 namespace hallux::assessment {
 

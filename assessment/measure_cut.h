@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "assessment/rebuild/evidence.h"
 #include "assessment/measurement.h"
+#include "assessment/rebuild/evidence.h"
 
 namespace hallux::assessment {
 

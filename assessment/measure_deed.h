@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "assessment/rebuild/evidence.h"
 #include "assessment/measurement.h"
+#include "assessment/rebuild/evidence.h"
 #include "simulator/base/progress.h"
 
 namespace hallux::assessment {

@@ -191,6 +191,14 @@ std::vector<std::int32_t> kerfs_of(const CutEvidence& first, const CutEvidence& 
   return kerfs;
 }
 
+/// Without those that opened nothing there.
+std::vector<KerfGap> opened_gaps(const Evidence& evidence, const PlannedHinge& hinge,
+                                 const CutEvidence& first, const CutEvidence& second) {
+  std::vector<KerfGap> gaps = gaps_of(evidence, hinge, kerfs_of(first, second));
+  std::erase_if(gaps, [](const KerfGap& gap) { return !gap.gap.is_opened; });
+  return gaps;
+}
+
 std::optional<Reach> reach_of(const Evidence& evidence, const PlannedHinge& hinge,
                               const KerfGap& gap) {
   const Vec3& outward = hinge.bridge.line.outward;
@@ -258,8 +266,7 @@ std::vector<Measurement> measure_hinge(const PlannedHinge& hinge, const Evidence
                                        std::span<const Measurement> measured) {
   const CutEvidence first = evidence_of(evidence, hinge.first_cut);
   const CutEvidence second = evidence_of(evidence, hinge.second_cut);
-  std::vector<KerfGap> gaps = gaps_of(evidence, hinge, kerfs_of(first, second));
-  std::erase_if(gaps, [](const KerfGap& gap) { return !gap.gap.is_opened; });
+  const std::vector<KerfGap> gaps = opened_gaps(evidence, hinge, first, second);
   std::vector<Measurement> made;
   add_wedge(made, first, second, hinge, evidence.rebuilt);
   Measurement bridge = bridge_measurement(evidence, hinge, gaps);
@@ -274,6 +281,16 @@ std::vector<Measurement> measure_hinge(const PlannedHinge& hinge, const Evidence
   const double done = std::min(first.done_fraction(), second.done_fraction());
   for (Measurement& each : made) each.done_fraction = done;
   return made;
+}
+
+std::vector<KerfBridge> bridges_left(const PlannedHinge& hinge, const Evidence& evidence) {
+  std::vector<KerfBridge> bridges;
+  for (const KerfGap& each : opened_gaps(evidence, hinge, evidence_of(evidence, hinge.first_cut),
+                                         evidence_of(evidence, hinge.second_cut))) {
+    const bool is_beyond = each.gap.over_cut_mm > 0.0;
+    bridges.push_back({each.kerf, is_beyond ? -each.gap.over_cut_mm : each.gap.thickness_mm});
+  }
+  return bridges;
 }
 
 }  // namespace hallux::assessment

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "assessment/rebuild/evidence.h"
 #include "assessment/measurement.h"
+#include "assessment/rebuild/evidence.h"
 
 namespace hallux::assessment {
 
@@ -19,5 +19,16 @@ namespace hallux::assessment {
 std::vector<Measurement> measure_hinge(const scenarios::PlannedHinge& hinge,
                                        const Evidence& evidence,
                                        std::span<const Measurement> measured);
+
+/// What a kerf of the hinge's cuts left of the bridge, or how far it went beyond, as one number.
+struct KerfBridge {
+  std::int32_t kerf = -1;
+  /// Below 0: beyond the far surface.
+  double left_mm = 0.0;
+};
+
+/// Of all kerfs of both cuts that opened bone at the bridge.
+std::vector<KerfBridge> bridges_left(const scenarios::PlannedHinge& hinge,
+                                     const Evidence& evidence);
 
 }  // namespace hallux::assessment

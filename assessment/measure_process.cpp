@@ -17,7 +17,6 @@
 #include "assessment/process/step_order.h"
 #include "assessment/process/tool_path.h"
 #include "assessment/process/tool_place.h"
-#include "assessment/rebuild/joint_margin.h"
 
 namespace hallux::assessment {
 
@@ -25,15 +24,6 @@ namespace {
 
 using scenarios::Metric;
 using simulator::ToolSample;
-
-/// The mean over the planned cuts of how much of each was sawn.
-double done_fraction_of(const Evidence& evidence) {
-  double sum = 0.0;
-  for (const std::vector<CutFace>& faces : evidence.faces)
-    sum += faces.empty() || faces.front().samples_in_bone_mm.empty() ? 0.0
-                                                                     : faces.front().done_fraction;
-  return sum / static_cast<double>(evidence.faces.size());
-}
 
 /// Gathers the attempt's metrics, with the tool's place at their moments.
 class ProcessList {
@@ -70,22 +60,6 @@ class ProcessList {
 
 std::int64_t last_tick_of(const simulator::Recording& recording) {
   return recording.samples.empty() ? 0 : recording.samples.back().tick;
-}
-
-void add_joint_margin(ProcessList& list, const Evidence& evidence, const simulator::Bvh& surface) {
-  const auto margin =
-      measure_joint_margin(evidence.rebuilt, evidence.plan, evidence.bone.outer, surface);
-  if (!margin) {
-    const Absence why =
-        evidence.plan.joint_surfaces.empty() ? Absence::Undefined : Absence::NotMade;
-    list.add(absent(Metric::JointMarginMm, why, {}));
-    return;
-  }
-  const RebuiltKerf& kerf = evidence.rebuilt.kerfs[static_cast<std::size_t>(margin->kerf)];
-  list.add(measured(Metric::JointMarginMm, margin->margin_mm,
-                    {kerf.first_cutting_tick, kerf.last_cutting_tick}, margin->place_in_bone_mm));
-  list.last().bound = margin->bound_mm;
-  list.last().detail = "nearest to the " + evidence.plan.joint_surfaces[margin->surface].title;
 }
 
 /// One zone's three metrics, or those of all of them together.
@@ -210,7 +184,8 @@ std::vector<Measurement> nothing_recorded(const Evidence& evidence) {
     made.back().zone = zone;
   };
   for (const scenarios::MetricName& metric : scenarios::known_metrics()) {
-    if (metric.subject == scenarios::MetricSubject::Attempt) add(metric.metric, "");
+    const bool is_of_attempt = metric.subject == scenarios::MetricSubject::Attempt;
+    if (is_of_attempt && metric.metric != Metric::JointMarginMm) add(metric.metric, "");
     if (metric.subject != scenarios::MetricSubject::Zone) continue;
     for (const scenarios::PlannedZone& zone : evidence.plan.danger_zones)
       add(metric.metric, zone.name);
@@ -221,11 +196,10 @@ std::vector<Measurement> nothing_recorded(const Evidence& evidence) {
 
 }  // namespace
 
-std::vector<Measurement> measure_process(const Evidence& evidence, const FollowedEffects& effects,
-                                         const simulator::Bvh& surface) {
+std::vector<Measurement> measure_process(const Evidence& evidence, const FollowedEffects& effects) {
   if (evidence.recording.samples.empty()) return nothing_recorded(evidence);
+  const simulator::Bvh surface(evidence.bone.outer);
   ProcessList list(evidence);
-  add_joint_margin(list, evidence, surface);
   add_zones(list, evidence, effects);
   add_heat(list, effects, last_tick_of(evidence.recording));
   add_pushes(list, evidence);
@@ -233,10 +207,9 @@ std::vector<Measurement> measure_process(const Evidence& evidence, const Followe
   add_saw_care(list, evidence, surface);
   add_movements(list, evidence, surface);
   std::vector<Measurement> made = list.take();
-  const double done = done_fraction_of(evidence);
-  for (Measurement& each : made) each.done_fraction = done;
-  // What was carried out of the steps is told by the steps themselves.
   made.push_back(measured(Metric::StepOrder, measure_step_order(evidence), {}));
+  const double done = done_fraction_of(evidence.faces);
+  for (Measurement& each : made) each.done_fraction = done;
   return made;
 }
 

@@ -4,21 +4,18 @@
 
 #include <vector>
 
-#include "assessment/rebuild/evidence.h"
 #include "assessment/measurement.h"
 #include "assessment/process/followed_effects.h"
-#include "simulator/mesh/bvh.h"
+#include "assessment/rebuild/evidence.h"
 
 namespace hallux::assessment {
 
-/// Everything that a rubric may ask of an attempt besides its faces, its hinges and its pieces; the
+/// Everything that a rubric may ask of an attempt besides what its kerfs tell; the
 /// metrics of danger zones for each zone and, with an empty one, for all of them together.
 /// effects  followed over the whole recording
-/// surface  of the bone as it was, in its frame
 /// ensures  every metric is there. What no bone was sawn for is not made; each earns no more than
 ///          the share of the planned cuts that was sawn, so that sawing nothing is no safe sawing
 /// errors   ScenarioError (see measure_path_ratio)
-std::vector<Measurement> measure_process(const Evidence& evidence, const FollowedEffects& effects,
-                                         const simulator::Bvh& surface);
+std::vector<Measurement> measure_process(const Evidence& evidence, const FollowedEffects& effects);
 
 }  // namespace hallux::assessment

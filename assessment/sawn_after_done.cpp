@@ -47,11 +47,12 @@ bool is_sawn_after_done(std::int32_t step, std::span<const CutFace> faces,
 }  // namespace
 
 void note_sawn_after_done(std::vector<Measurement>& measurements,
-                          const scenarios::Scenario& scenario, std::span<const CutFace> faces,
-                          const simulator::Recording& recording) {
-  if (measurements.empty()) return;
-  const std::optional<std::int32_t> step = step_of(scenario, measurements.front().cut);
-  if (step && is_sawn_after_done(*step, faces, recording)) measurements.front().note = note;
+                          const scenarios::Scenario& scenario, const std::string& cut,
+                          std::span<const CutFace> faces, const simulator::Recording& recording) {
+  const auto first = std::ranges::find(measurements, cut, &Measurement::cut);
+  if (first == measurements.end()) return;
+  const std::optional<std::int32_t> step = step_of(scenario, cut);
+  if (step && is_sawn_after_done(*step, faces, recording)) first->note = note;
 }
 
 }  // namespace hallux::assessment

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "assessment/measurement.h"
@@ -15,10 +16,9 @@ namespace hallux::assessment {
 
 /// Closes the first measurement of a cut with the rule, where teeth advanced in one of its kerfs
 /// while its step was done; a step that was taken up again is not, until it is done anew.
-/// needs   measurements and faces are of one cut; samples and events are in the order of their
-///         ticks
+/// needs   faces are of the cut; samples and events are in the order of their ticks
 void note_sawn_after_done(std::vector<Measurement>& measurements,
-                          const scenarios::Scenario& scenario, std::span<const CutFace> faces,
-                          const simulator::Recording& recording);
+                          const scenarios::Scenario& scenario, const std::string& cut,
+                          std::span<const CutFace> faces, const simulator::Recording& recording);
 
 }  // namespace hallux::assessment

@@ -43,11 +43,14 @@ FaceSamples sample_wall_of_pieces(const RebuiltBone& rebuilt, const simulator::F
   return {};
 }
 
-CutFace face_of_kerf(const RebuiltBone& rebuilt, std::int32_t index, const PlannedCut& cut,
-                     const PlannedHinge* hinge) {
+}  // namespace
+
+CutFace face_of_kerf(const RebuiltBone& rebuilt, std::int32_t index, const scenarios::Plan& plan,
+                     std::size_t cut) {
+  const PlannedHinge* hinge = find_hinge(plan, plan.cuts[cut].hinge);
   const RebuiltKerf& kerf = rebuilt.kerfs[static_cast<std::size_t>(index)];
   const KerfPlane& plane = rebuilt.fields.plane(index);
-  const std::int32_t side = kept_side(plane, cut);
+  const std::int32_t side = kept_side(plane, plan.cuts[cut]);
   CutFace face;
   face.kerf = index;
   face.done_fraction = done_fraction_of(rebuilt, index, hinge);
@@ -65,16 +68,13 @@ CutFace face_of_kerf(const RebuiltBone& rebuilt, std::int32_t index, const Plann
   return face;
 }
 
-}  // namespace
-
 std::vector<CutFace> faces_of_cut(const RebuiltBone& rebuilt, const scenarios::Plan& plan,
-                                  std::size_t cut) {
-  const PlannedHinge* hinge = find_hinge(plan, plan.cuts[cut].hinge);
-  const std::vector<std::size_t> cuts = cuts_of_kerfs(rebuilt, plan);
+                                  std::size_t cut, const StepEvidence& evidence) {
+  const std::vector<std::size_t> cuts = cuts_of_kerfs(rebuilt, plan, evidence);
   std::vector<CutFace> faces;
   for (std::int32_t index = 0; index < rebuilt.fields.count(); ++index) {
     if (cuts[static_cast<std::size_t>(index)] != cut) continue;
-    faces.push_back(face_of_kerf(rebuilt, index, plan.cuts[cut], hinge));
+    faces.push_back(face_of_kerf(rebuilt, index, plan, cut));
   }
   std::stable_sort(faces.begin(), faces.end(), [](const CutFace& a, const CutFace& b) {
     const bool a_stands = a.is_finished && a.area_mm2 > 0.0;

@@ -7,6 +7,7 @@
 
 #include "assessment/metrics/face_plane.h"
 #include "assessment/rebuild/rebuild.h"
+#include "assessment/rebuild/step_of_kerf.h"
 #include "scenarios/plan.h"
 
 namespace hallux::assessment {
@@ -32,7 +33,11 @@ struct CutFace {
 /// counts first: finished before unfinished, on a larger piece before a smaller one (a shaving may
 /// carry the face of an earlier kerf), then the greater area.
 std::vector<CutFace> faces_of_cut(const RebuiltBone& rebuilt, const scenarios::Plan& plan,
-                                  std::size_t cut);
+                                  std::size_t cut, const StepEvidence& evidence);
+
+/// The face that kerf `kerf` left on the side that the planned cut keeps.
+CutFace face_of_kerf(const RebuiltBone& rebuilt, std::int32_t kerf, const scenarios::Plan& plan,
+                     std::size_t cut);
 
 /// Whether the blade was at the foot of this point on the face's plane.
 bool is_opened_at(const CutFace& face, const RebuiltBone& rebuilt, const Vec3& point_in_bone_mm);

@@ -25,6 +25,14 @@ struct Evidence {
   const simulator::Recording& recording;
 };
 
+/// The mean over the planned cuts of how much of each was sawn.
+inline double done_fraction_of(const std::vector<std::vector<CutFace>>& faces) {
+  double sum = 0.0;
+  for (const std::vector<CutFace>& cut : faces)
+    sum += cut.empty() || cut.front().samples_in_bone_mm.empty() ? 0.0 : cut.front().done_fraction;
+  return sum / static_cast<double>(faces.size());
+}
+
 /// The face of a cut that counts first; null where there is none with points.
 inline const CutFace* counting_face(const Evidence& evidence, const std::string& cut) {
   const std::vector<CutFace>& faces = evidence.faces[index_of_cut(evidence.plan, cut)];

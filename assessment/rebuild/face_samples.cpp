@@ -163,15 +163,18 @@ void count_row(WindowCount& count, const RebuiltBone& rebuilt, std::int32_t inde
   }
 }
 
-Heights heights_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
-                       std::int32_t side, double step_mm) {
-  const double height_mm = 0.5 * kerf.section.plane.thickness_mm * side;
-  Heights heights;
-  for (std::size_t region = 0; region < kerf.section.regions.size(); ++region) {
-    if (kerf.is_touched[region] == 0) continue;
-    add_opened(heights, kerf.section.regions[region], field, height_mm, step_mm);
+/// The open points of one row from border to border, on both walls of the kerf.
+void add_opened_row(std::vector<Vec3>& points_mm, const KerfPlane& plane,
+                    const simulator::KerfField& field, const Vec2& borders_mm, double v_mm,
+                    double step_mm) {
+  const double half_mm = 0.5 * plane.thickness_mm;
+  const GridWindow grid = window_of(Vec2{borders_mm.x, v_mm}, Vec2{borders_mm.y, v_mm}, step_mm);
+  for (std::int64_t u = grid.u_first; u <= grid.u_last; ++u) {
+    const Vec2 place_mm{static_cast<double>(u) * step_mm, v_mm};
+    if (!field.is_open(place_mm)) continue;
+    for (const double height_mm : {-half_mm, half_mm})
+      points_mm.push_back(transform_point(plane.bone_from_kerf, Vec3{place_mm, height_mm}));
   }
-  return heights;
 }
 
 }  // namespace
@@ -231,14 +234,35 @@ FaceSamples sample_wall(const CutSolid& piece, const simulator::FaceSource& wall
 
 FaceSamples sample_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
                           std::int32_t side) {
-  return sample_finely(kerf.section.plane,
-                       [&](double step_mm) { return heights_opened(kerf, field, side, step_mm); });
+  const double height_mm = 0.5 * kerf.section.plane.thickness_mm * side;
+  return sample_finely(kerf.section.plane, [&](double step_mm) {
+    Heights heights;
+    for (std::size_t region = 0; region < kerf.section.regions.size(); ++region) {
+      if (kerf.is_touched[region] == 0) continue;
+      add_opened(heights, kerf.section.regions[region], field, height_mm, step_mm);
+    }
+    return heights;
+  });
 }
 
 std::vector<Vec3> points_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
-                                std::int32_t side, double step_mm) {
-  return samples_from(heights_opened(kerf, field, side, step_mm), kerf.section.plane, step_mm)
-      .points_in_bone_mm;
+                                double step_mm) {
+  const KerfPlane& plane = kerf.section.plane;
+  std::vector<Vec3> points_mm;
+  for (std::size_t index = 0; index < kerf.section.regions.size(); ++index) {
+    if (kerf.is_touched[index] == 0) continue;
+    const SectionRegion& region = kerf.section.regions[index];
+    const GridWindow grid = window_of(region.min_mm, region.max_mm, step_mm);
+    for (std::int64_t v = grid.v_first; v <= grid.v_last; ++v) {
+      const double v_mm = static_cast<double>(v) * step_mm;
+      const std::vector<double> borders_mm = bone_borders_mm(region, v_mm);
+      for (std::size_t border = 0; border + 1 < borders_mm.size(); border += 2) {
+        add_opened_row(points_mm, plane, field, {borders_mm[border], borders_mm[border + 1]}, v_mm,
+                       step_mm);
+      }
+    }
+  }
+  return points_mm;
 }
 
 }  // namespace hallux::assessment

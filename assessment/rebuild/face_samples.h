@@ -29,9 +29,9 @@ FaceSamples sample_wall(const simulator::CutSolid& piece, const simulator::FaceS
 FaceSamples sample_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
                           std::int32_t side);
 
-/// The same points, on a grid of this step.
+/// What the blade opened inside the bone, on both walls, on a grid of this step.
 std::vector<Vec3> points_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
-                                std::int32_t side, double step_mm);
+                                double step_mm);
 
 /// The first kerf whose slab is open at this point, but for one; -1 where none is.
 std::int32_t kerf_open_at(const RebuiltBone& rebuilt, const Vec3& point_mm,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "assessment/rebuild/face_samples.h"
+#include "simulator/mesh/bvh.h"
 
 namespace hallux::assessment {
 
@@ -14,14 +15,27 @@ using scenarios::Plan;
 
 constexpr double grid_mm = 0.1;
 
-/// Per triangle of the outer surface the joint surface it belongs to, from 1 on; 0: none.
-std::vector<std::uint8_t> surfaces_of(const Plan& plan, std::size_t triangle_count) {
-  std::vector<std::uint8_t> surfaces(triangle_count, 0);
+/// The joint surfaces alone. A tree is built over closed meshes: so each triangle has corners of
+/// its own and a second face that looks the other way.
+struct JointMesh {
+  simulator::IndexedMesh mesh;
+  /// Of the plan's joint surfaces, one for each triangle of the mesh.
+  std::vector<std::size_t> surfaces;
+};
+
+JointMesh joint_mesh(const Plan& plan, const simulator::IndexedMesh& outer) {
+  JointMesh joints;
   for (std::size_t index = 0; index < plan.joint_surfaces.size(); ++index) {
-    for (const std::uint32_t triangle : plan.joint_surfaces[index].triangles)
-      surfaces[triangle] = static_cast<std::uint8_t>(index + 1);
+    for (const std::uint32_t triangle : plan.joint_surfaces[index].triangles) {
+      const auto first = static_cast<std::uint32_t>(joints.mesh.points_mm.size());
+      for (const Vec3& corner_mm : corners_of(outer, triangle))
+        joints.mesh.points_mm.push_back(corner_mm);
+      joints.mesh.triangles.push_back({first, first + 1, first + 2});
+      joints.mesh.triangles.push_back({first, first + 2, first + 1});
+      joints.surfaces.insert(joints.surfaces.end(), 2, index);
+    }
   }
-  return surfaces;
+  return joints;
 }
 
 /// A corner of a joint's triangle that lies in an open kerf.
@@ -39,35 +53,29 @@ std::optional<JointMargin> opened_corner(const RebuiltBone& rebuilt, const Plan&
 }
 
 /// Lowers the margin to that of one opened point.
-void lower(JointMargin& least, const simulator::Bvh& tree,
-           const std::vector<std::uint8_t>& surfaces, const Vec3& point_mm, std::int32_t kerf) {
-  tree.visit_near(point_mm, least.margin_mm, [&](const simulator::NearTriangle& near) -> double {
-    const std::uint8_t surface = surfaces[near.triangle];
-    const double distance_mm = length_of(near.closest_mm - point_mm);
-    if (surface == 0 || distance_mm >= least.margin_mm) return least.margin_mm;
-    least.margin_mm = distance_mm;
-    least.surface = surface - 1U;
-    least.kerf = kerf;
-    least.place_in_bone_mm = near.closest_mm;
-    return distance_mm;
-  });
+void lower(JointMargin& least, const JointMesh& joints, const simulator::Bvh& tree,
+           const Vec3& point_mm, std::int32_t kerf) {
+  const auto nearest = tree.nearest(point_mm, least.margin_mm);
+  if (!nearest || nearest->distance_mm >= least.margin_mm) return;
+  least.margin_mm = nearest->distance_mm;
+  least.surface = joints.surfaces[nearest->triangle];
+  least.kerf = kerf;
+  least.place_in_bone_mm = nearest->point_mm;
 }
 
 }  // namespace
 
 std::optional<JointMargin> measure_joint_margin(const RebuiltBone& rebuilt, const Plan& plan,
-                                                const simulator::IndexedMesh& outer,
-                                                const simulator::Bvh& tree) {
+                                                const simulator::IndexedMesh& outer) {
   if (plan.joint_surfaces.empty()) return std::nullopt;
   if (std::optional<JointMargin> opened = opened_corner(rebuilt, plan, outer)) return opened;
-  const std::vector<std::uint8_t> surfaces = surfaces_of(plan, outer.triangles.size());
+  const JointMesh joints = joint_mesh(plan, outer);
+  const simulator::Bvh tree(joints.mesh);
   JointMargin least{.margin_mm = std::numeric_limits<double>::infinity()};
   for (std::int32_t kerf = 0; kerf < rebuilt.fields.count(); ++kerf) {
-    for (const std::int32_t side : {-1, 1}) {
-      const auto& made = rebuilt.kerfs[static_cast<std::size_t>(kerf)];
-      for (const Vec3& point_mm : points_opened(made, rebuilt.fields.field(kerf), side, grid_mm))
-        lower(least, tree, surfaces, point_mm, kerf);
-    }
+    const RebuiltKerf& made = rebuilt.kerfs[static_cast<std::size_t>(kerf)];
+    for (const Vec3& point_mm : points_opened(made, rebuilt.fields.field(kerf), grid_mm))
+      lower(least, joints, tree, point_mm, kerf);
   }
   if (least.kerf < 0) return std::nullopt;
   // Half of a grid's diagonal.

@@ -7,7 +7,7 @@
 
 #include "assessment/rebuild/rebuild.h"
 #include "scenarios/plan.h"
-#include "simulator/mesh/bvh.h"
+#include "simulator/mesh/indexed_mesh.h"
 
 namespace hallux::assessment {
 
@@ -27,10 +27,9 @@ struct JointMargin {
 /// of points on a 0.1 mm grid on both walls of each kerf to the triangles of the surfaces, and 0
 /// where a corner of such a triangle lies in an open kerf. Nothing where no bone was opened, or the
 /// plan has no joint surface.
-/// outer   of the bone as it was, in its frame, and the tree over it
+/// outer   of the bone as it was, in its frame
 std::optional<JointMargin> measure_joint_margin(const RebuiltBone& rebuilt,
                                                 const scenarios::Plan& plan,
-                                                const simulator::IndexedMesh& outer,
-                                                const simulator::Bvh& tree);
+                                                const simulator::IndexedMesh& outer);
 
 }  // namespace hallux::assessment

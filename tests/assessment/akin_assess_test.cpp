@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "assessment/assess.h"
 #include "assessment/ledger.h"
@@ -108,6 +109,33 @@ TEST(AkinAssess, TheOrderOfTheCutsChangesNothing) {
   AkinAttempt swapped = intermediate;
   swapped.is_second_first = true;
   expect_same(examination_of(intermediate), examination_of(swapped), 1e-5);
+}
+
+// Both kerfs lie nearest to the second cut, the second of them furthest from it: by nearness alone
+// the wedge would be turned over, and 18 degrees off.
+TEST(AkinAssess, AWedgeThatLeansIsNotTurnedOver) {
+  const AkinAttempt leaning{
+      .entry_x_mm = 8.4, .transverse_deg = 18.0, .wedge_deg = 8.0, .sagittal2_deg = 10.0};
+  const simulator::Bone bone = testing::oval_bone();
+  scenarios::Scenario scenario = testing::akin_scenario();
+  scenario.steps.resize(2);
+  for (std::size_t step = 0; step < 2; ++step) {
+    scenario.steps[step].kind = scenarios::StepKind::Cut;
+    scenario.steps[step].cut = scenario.cuts[step].name;
+  }
+  const simulator::Recording untold = testing::akin_recording(leaning, bone);
+  simulator::Recording told = untold;
+  simulator::CutEvent done;
+  done.kind = simulator::CutEventKind::StepDone;
+  done.subject = 0;
+  done.tick = told.events.at(1).tick - 1;
+  told.events.insert(told.events.begin() + 1, done);
+  for (const simulator::Recording* recording : {&untold, &std::as_const(told)}) {
+    const Examination examination = assess_fully(scenario, bone, *recording, "scripted");
+    EXPECT_NEAR(value_of(examination, "wedge_error_deg"), 2.0, pose_deg);
+    EXPECT_EQ(examination.faces.at(0).at(0).kerf, 0);
+    EXPECT_EQ(examination.faces.at(1).at(0).kerf, 1);
+  }
 }
 
 TEST(AkinAssess, WhereTheBoneLiesInTheWorldChangesNothing) {

@@ -167,7 +167,8 @@ Bone oval_bone() {
   bone.outer = oval_prism();
   bone.landmarks = {{"base_centre", Vec3{0.0, 0.0, 0.0}},
                     {"base_med", Vec3{0.0, 0.0, -7.5}},
-                    {"base_lat", Vec3{0.0, 0.0, 7.5}}};
+                    {"base_lat", Vec3{0.0, 0.0, 7.5}},
+                    {"ip_centre", Vec3{27.0, 0.0, 0.0}}};
   bone.world_from_bone = {rotation_about(Vec3{0.0, 0.0, 1.0}, radian_from_degree(-12.0)),
                           Vec3{140.0, 30.0, -8.0}};
   return bone;

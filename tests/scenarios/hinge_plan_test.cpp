@@ -22,7 +22,8 @@ Bone phalanx(const simulator::IndexedMesh& centred, double base_med_x_mm = 0.0) 
   bone.outer = tests::moved(centred, {{}, {16.5, 0.0, 0.0}});
   bone.landmarks = {{"base_centre", Vec3(0.0, 0.0, 0.0)},
                     {"base_med", Vec3(base_med_x_mm, 0.0, -7.5)},
-                    {"base_lat", Vec3(0.0, 0.0, 7.5)}};
+                    {"base_lat", Vec3(0.0, 0.0, 7.5)},
+                    {"ip_centre", Vec3(33.0, 0.0, 0.0)}};
   return bone;
 }
 

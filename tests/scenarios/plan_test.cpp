@@ -35,6 +35,7 @@ Bone block_bone() {
 Scenario silver_with_tilt(double tilt_deg) {
   Scenario scenario = load_shipped_scenario("silver");
   scenario.cuts[0].face.frontal_tilt_rad = radian_from_degree(tilt_deg);
+  scenario.joint_surfaces.clear();
   return scenario;
 }
 

@@ -18,6 +18,10 @@ using testing::Stroke;
 /// with its rotation.
 constexpr double volume_tolerance_mm3 = 1200.0 * 0.001;
 
+/// Of a recording in which nobody said that a step is done.
+const Recording nothing_said;
+const StepEvidence no_steps{{}, nothing_said};
+
 RebuiltBone rebuilt_from(const std::vector<Stroke>& strokes) {
   const Bone bone = testing::block_bone();
   Recording recording;
@@ -84,7 +88,7 @@ TEST(Rebuild, ProgressRisesAndCanStopIt) {
 TEST(CutFace, SamplesLieOnTheKeptWallAndCoverIt) {
   const RebuiltBone rebuilt = rebuilt_from({Stroke{}});
   const scenarios::Plan plan = plan_on(testing::block_scenario(), testing::block_bone());
-  const std::vector<CutFace> faces = faces_of_cut(rebuilt, plan, 0);
+  const std::vector<CutFace> faces = faces_of_cut(rebuilt, plan, 0, no_steps);
   ASSERT_EQ(faces.size(), 1U);
   EXPECT_TRUE(faces[0].is_finished);
   // The grid may gain or lose one row along each edge.
@@ -96,7 +100,7 @@ TEST(CutFace, SamplesLieOnTheKeptWallAndCoverIt) {
 TEST(CutFace, TheFaceOfTheLargestPieceCountsFirst) {
   const RebuiltBone rebuilt = rebuilt_from({Stroke{.face_z_mm = -10.0}, Stroke{}});
   const scenarios::Plan plan = plan_on(testing::block_scenario(), testing::block_bone());
-  const std::vector<CutFace> faces = faces_of_cut(rebuilt, plan, 0);
+  const std::vector<CutFace> faces = faces_of_cut(rebuilt, plan, 0, no_steps);
   ASSERT_EQ(faces.size(), 2U);
   EXPECT_EQ(faces[0].kerf, 1);
   EXPECT_EQ(faces[0].piece, 0U);
@@ -105,7 +109,7 @@ TEST(CutFace, TheFaceOfTheLargestPieceCountsFirst) {
 TEST(CutFace, AnUnfinishedCutIsSampledWhereTheBladeWas) {
   const RebuiltBone rebuilt = rebuilt_from({Stroke{.last_y_mm = 9.0}});
   const scenarios::Plan plan = plan_on(testing::block_scenario(), testing::block_bone());
-  const std::vector<CutFace> faces = faces_of_cut(rebuilt, plan, 0);
+  const std::vector<CutFace> faces = faces_of_cut(rebuilt, plan, 0, no_steps);
   ASSERT_EQ(faces.size(), 1U);
   EXPECT_FALSE(faces[0].is_finished);
   EXPECT_GE(faces[0].samples_in_bone_mm.size(), 200U);

@@ -40,7 +40,7 @@ AttemptRow row_of(const scenarios::Scenario& scenario, const simulator::Bone& bo
     if (line.item == "A2") row.location_mm = line.value;
     if (line.metric == "hinge_mm") row.hinge_mm = line.value;
     if (line.metric == "over_cut_mm") row.over_cut_mm = line.value;
-    row.is_measured = row.is_measured && line.is_measured;
+    row.is_measured = row.is_measured && (line.is_measured || line.points_lost_milli == 0);
   }
   for (const database::GateResult& gate : card.gates) {
     row.is_done = row.is_done && !(is_of_deed(gate) && gate.is_triggered);

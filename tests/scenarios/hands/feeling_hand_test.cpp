@@ -23,6 +23,7 @@ using simulator::Recording;
 struct Patient {
   Patient() : silver(load_shipped_scenario("silver")) {
     silver.cuts.at(0).face.frontal_tilt_rad = 0.0;
+    silver.joint_surfaces.clear();
     bone = tests::cancellous_bone(
         tests::moved(tests::solid_block({30.0, 20.0, 20.0}), {{}, {15.0, 0.0, 0.0}}));
     bone.landmarks = {{"shaft_proximal", Vec3(10.0, 0.0, 0.0)},

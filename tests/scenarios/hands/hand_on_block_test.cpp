@@ -26,6 +26,7 @@ constexpr double far_side_mm = -10.0;
 struct Block {
   Block() : silver(scenarios::load_shipped_scenario("silver")) {
     silver.cuts.at(0).face.frontal_tilt_rad = 0.0;
+    silver.joint_surfaces.clear();
     bone = cancellous_bone(moved(solid_block({10.0, 20.0, 20.0}), {{}, {5.0, 0.0, 0.0}}));
     bone.landmarks = {{"shaft_proximal", Vec3(2.0, 0.0, 0.0)},
                       {"shaft_distal", Vec3(8.0, 0.0, 0.0)},

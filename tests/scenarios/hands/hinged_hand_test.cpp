@@ -23,6 +23,7 @@ constexpr double far_side_mm = 9.0;
 /// Akin on a soft block 33 x 16 x 18 mm: its first face is x = 6, its line z = 8.
 struct Patient {
   Patient() : akin(load_shipped_scenario("akin")) {
+    akin.joint_surfaces.clear();
     bone = tests::cancellous_bone(
         tests::moved(tests::solid_block({33.0, 16.0, 2.0 * far_side_mm}), {{}, {16.5, 0.0, 0.0}}));
     bone.landmarks = {{"base_centre", Vec3(0.0, 0.0, 0.0)},

@@ -26,6 +26,7 @@ Scenario along_scenario(double blade_width_mm) {
   scenario.cuts[0].face.frontal_tilt_rad = 0.0;
   scenario.saw.blade.width_mm = blade_width_mm;
   scenario.danger_zones.clear();
+  scenario.joint_surfaces.clear();
   return scenario;
 }
 
@@ -33,6 +34,7 @@ Scenario wedge_scenario(double blade_width_mm) {
   Scenario scenario = load_shipped_scenario("akin");
   scenario.saw.blade.width_mm = blade_width_mm;
   scenario.danger_zones.clear();
+  scenario.joint_surfaces.clear();
   return scenario;
 }
 

@@ -38,18 +38,19 @@ class Attempt(RecordedTest):
         self.assertIsInstance(answer["attempt"], str)
         self.assertEqual(answer["scenario"], "silver")
         self.assertTrue(0.0 <= answer["score"] <= 100.0)
-        self.assertEqual(answer["measured_weight"], 50.0)
+        self.assertEqual(answer["measured_weight"], 100.0)
+        self.assertIs(answer["partial"], False)
         self.assertEqual(answer["samples"], round(1000 * answer["duration_s"]))
         self.assertIs(answer["quality"]["complete"], True)
         self.assertIs(answer["quality"]["valid"], True)
         self.assertEqual(answer["quality"]["not_valid_because"], [])
         self.assertEqual(answer["quality"]["received_samples"], answer["samples"])
 
-    def test_groups_not_measured_are_shown_as_such(self):
+    def test_every_group_is_measured_whole(self):
         groups = {group["name"]: group for group in self.recorded.json()["groups"]}
         self.assertEqual(sum(group["weight"] for group in groups.values()), 100.0)
-        self.assertEqual(groups["accuracy"]["measured_weight"], 50.0)
-        self.assertEqual(groups["safety"]["measured_weight"], 0.0)
+        for group in groups.values():
+            self.assertEqual(group["measured_weight"], group["weight"], group["name"])
 
     def test_stdout_is_one_json_value_and_progress_is_on_stderr(self):
         self.assertIsInstance(self.recorded.json(), dict)

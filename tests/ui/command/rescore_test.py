@@ -78,7 +78,7 @@ class Rescored(RecordedTest):
     def test_what_is_not_there_is_refused(self):
         self.expect_refusal(BAD_INPUT, ["no attempt of 'gold'", "hallux attempts"], "rescore", "gold")
         self.expect_refusal(BAD_INPUT, ["no version 9 of 'silver'"], "rescore", "silver", "--with-version", "9")
-        self.assertEqual(self.ask("rescore", "silver", "--with-version", "2")["attempts"], 1)
+        self.assertEqual(self.ask("rescore", "silver", "--with-version", "3")["attempts"], 1)
 
     def test_nobody_scores_their_own_with_another_rubric(self):
         self.hallux("user", "add", "administrator", "--administrator", stdin="saw bone hinge wire\n")

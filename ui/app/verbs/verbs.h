@@ -15,6 +15,9 @@ void add_replay_verb(CLI::App& app, VerbContext& context);
 /// `hallux score ATTEMPT` and `hallux report ATTEMPT -o FILE`.
 void add_score_verbs(CLI::App& app, VerbContext& context);
 
+/// `hallux what-if ATTEMPT [--change CHANGE=VALUE]...`.
+void add_what_if_verb(CLI::App& app, VerbContext& context);
+
 /// `hallux rescore SCENARIO [--with-version N] [--dry-run]`.
 void add_rescore_verb(CLI::App& app, VerbContext& context);
 

@@ -68,8 +68,10 @@ TEST(BriefingScreen, ShowsTheStepsAndWhatIsScored) {
   briefed.driver().click("brief.tab.1");
   EXPECT_TRUE(briefed.driver().sees("Take the wedge out"));
   briefed.driver().click("brief.tab.2");
-  for (const char* words : {"Accuracy", "Angle of the wedge", "Not measured yet",
-                            "Lateral cortex cut through: at most 69 points", "from 60 points on"}) {
+  briefed.driver().resize(1600.0F, 1800.0F);
+  for (const char* words :
+       {"Accuracy", "Angle of the wedge", "Margin to the joint", "Smoothness of the free movements",
+        "Lateral cortex cut through: at most 69 points", "from 60 points on"}) {
     EXPECT_TRUE(briefed.driver().sees(words)) << words;
   }
 }

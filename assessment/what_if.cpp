@@ -1,0 +1,320 @@
+/// A face's turns and its offset are said against the plan: turned about the direction that the
+/// planned face contains (tilt) and out of it (roll), and shifted along its normal, all at the
+/// middle of the face. A stop shifts a kerf in its own plane: the blade reached from outside, so
+/// that what it opened moves as a whole.
+#include "assessment/what_if.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "assessment/ledger.h"
+#include "assessment/make_measurement.h"
+#include "assessment/measure_cut.h"
+#include "assessment/measure_hinge.h"
+#include "assessment/measure_piece.h"
+#include "assessment/measure_process.h"
+#include "assessment/number_text.h"
+#include "assessment/rebuild/moved_kerf.h"
+#include "simulator/base/units.h"
+
+namespace hallux::assessment {
+
+namespace {
+
+using scenarios::Metric;
+using scenarios::MetricName;
+using scenarios::MetricSubject;
+using scenarios::PlannedCut;
+using scenarios::PlannedHinge;
+using scenarios::RubricItem;
+
+constexpr std::size_t proposals_most = 3;
+
+std::string named(std::string_view kind, const std::string& subject) {
+  return subject.empty() ? std::string(kind) : std::string(kind) + ":" + subject;
+}
+
+Vec3 middle_of(const CutFace& face) {
+  Vec3 sum{0.0, 0.0, 0.0};
+  for (const Vec3& sample_mm : face.samples_in_bone_mm) sum += sample_mm;
+  return sum / static_cast<double>(face.samples_in_bone_mm.size());
+}
+
+/// How a face lies against its plan.
+struct FacePose {
+  double tilt_rad = 0.0, roll_rad = 0.0, offset_mm = 0.0;
+  Vec3 middle_in_bone_mm{0.0, 0.0, 0.0};
+};
+
+FacePose pose_of(const CutFace& face, const PlannedCut& cut) {
+  const Vec3& normal = cut.face.normal;
+  FacePose pose;
+  pose.middle_in_bone_mm = middle_of(face);
+  const double along = glm::dot(face.plane.normal, normal);
+  pose.tilt_rad = std::atan2(glm::dot(face.plane.normal, glm::cross(cut.axis, normal)), along);
+  pose.roll_rad = std::atan2(glm::dot(face.plane.normal, cut.axis), along);
+  pose.offset_mm = distance_along_mm(face.plane, pose.middle_in_bone_mm, normal) +
+                   glm::dot(normal, pose.middle_in_bone_mm) - cut.face.offset_mm;
+  return pose;
+}
+
+RigidTransform turn_about(const Vec3& place_mm, const Vec3& axis, double angle_rad) {
+  const Quat turn = rotation_about(axis, angle_rad);
+  const RigidTransform about{turn, {0.0, 0.0, 0.0}};
+  return {turn, place_mm - transform_point(about, place_mm)};
+}
+
+RigidTransform shift_by(const Vec3& way_mm) { return {Quat{1.0, 0.0, 0.0, 0.0}, way_mm}; }
+
+/// What a metric of the work is called as a change: its id, and what it is about.
+std::string change_of(const Measurement& measurement) {
+  const std::string& subject = measurement.zone.empty() ? measurement.cut : measurement.zone;
+  return named(measurement.metric, subject);
+}
+
+/// Those whose value a change replaces: no face and no piece tells them.
+bool is_of_work(const MetricName& metric) noexcept {
+  if (metric.metric == Metric::JointMarginMm) return false;
+  if (metric.subject == MetricSubject::Attempt || metric.subject == MetricSubject::Zone)
+    return true;
+  return metric.metric == Metric::PlungeMm || metric.metric == Metric::BreakthroughNewton ||
+         metric.metric == Metric::BreakthroughMmS;
+}
+
+/// The value nearest to what was that earns all of the points.
+double full_value(const RubricItem& item, double value) noexcept {
+  if (!item.is_band) return item.full;
+  return std::clamp(value, item.full_low, item.full_high);
+}
+
+bool is_of_same(const Measurement& a, const Measurement& b) noexcept {
+  return a.metric == b.metric && a.cut == b.cut && a.hinge == b.hinge && a.zone == b.zone;
+}
+
+/// Puts what was measured again in the place of what was.
+void replace_in(std::vector<Measurement>& all, const std::vector<Measurement>& made) {
+  for (const Measurement& each : made) {
+    const auto old = std::find_if(all.begin(), all.end(),
+                                  [&](const Measurement& one) { return is_of_same(one, each); });
+    if (old == all.end()) continue;
+    const double done_fraction = old->done_fraction;
+    const std::string note = old->note;
+    *old = each;
+    old->done_fraction = done_fraction;
+    old->note = note;
+  }
+}
+
+std::int64_t lost_milli(const database::ScoreCard& card, const std::string& item) {
+  for (const database::LedgerLine& line : card.ledger) {
+    if (line.kind == database::LedgerKind::Metric && line.item == item)
+      return line.points_lost_milli;
+  }
+  return 0;
+}
+
+/// Towards the plan: the bridge that was planned, or no deviation.
+double planned_value(const KnownChange& change, const scenarios::Plan& plan) {
+  for (const PlannedHinge& hinge : plan.hinges) {
+    if (change.name == named("stop", hinge.name)) return hinge.bridge.line.thickness_mm;
+  }
+  return 0.0;
+}
+
+}  // namespace
+
+WhatIf::WhatIf(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+               const simulator::Recording& recording, std::string_view device_class,
+               Examination examination)
+    : scenario_(scenario),
+      bone_(bone),
+      recording_(recording),
+      device_class_(device_class),
+      examination_(std::move(examination)),
+      fields_(kept_fields(examination_.rebuilt.fields)) {
+  for (std::size_t cut = 0; cut < examination_.plan.cuts.size(); ++cut) know_cut(cut);
+  for (const PlannedHinge& hinge : examination_.plan.hinges) know_hinge(hinge);
+  know_metrics();
+}
+
+Evidence WhatIf::evidence() const noexcept {
+  return {scenario_, examination_.plan, examination_.rebuilt, examination_.faces,
+          bone_,     recording_};
+}
+
+void WhatIf::know_cut(std::size_t cut) {
+  const PlannedCut& planned = examination_.plan.cuts[cut];
+  const CutFace* face = counting_face(evidence(), planned.name);
+  if (face == nullptr) return;
+  const FacePose pose = pose_of(*face, planned);
+  known_.push_back(
+      {named("tilt", planned.name), "deg", rounded_to_micro(degree_from_radian(pose.tilt_rad))});
+  known_.push_back(
+      {named("roll", planned.name), "deg", rounded_to_micro(degree_from_radian(pose.roll_rad))});
+  known_.push_back({named("offset", planned.name), "mm", rounded_to_micro(pose.offset_mm)});
+}
+
+void WhatIf::know_hinge(const PlannedHinge& hinge) {
+  const std::vector<KerfBridge> bridges = bridges_left(hinge, evidence());
+  if (bridges.empty()) return;
+  const auto least = std::ranges::min_element(bridges, {}, &KerfBridge::left_mm);
+  known_.push_back({named("stop", hinge.name), "mm", rounded_to_micro(least->left_mm)});
+}
+
+void WhatIf::know_metrics() {
+  for (const Measurement& each : examination_.measurements) {
+    const MetricName* metric = scenarios::find_metric(each.metric);
+    if (metric == nullptr || !is_of_work(*metric) || !each.is_measured()) continue;
+    known_.push_back({change_of(each), std::string(metric->unit), each.value, true});
+  }
+}
+
+const KnownChange& WhatIf::find(const std::string& name) const {
+  const auto found = std::ranges::find(known_, name, &KnownChange::name);
+  if (found != known_.end()) return *found;
+  std::string names;
+  for (const KnownChange& each : known_) names += (names.empty() ? "" : ", ") + each.name;
+  throw scenarios::ScenarioError("there is no change \"" + name +
+                                 "\" of this attempt; use one of: " + names);
+}
+
+bool WhatIf::moves(const std::vector<Change>& changes) const {
+  return std::ranges::any_of(changes,
+                             [&](const Change& change) { return !find(change.name).is_replaced; });
+}
+
+namespace {
+
+/// By how much a change asks for more than there was, where it is asked for.
+std::optional<double> asked(const std::vector<Change>& changes,
+                            const std::vector<KnownChange>& known, const std::string& name) {
+  const auto change = std::ranges::find(changes, name, &Change::name);
+  if (change == changes.end()) return std::nullopt;
+  return change->to - std::ranges::find(known, name, &KnownChange::name)->from;
+}
+
+/// Turns first, all about the middle of the face, then the shift.
+RigidTransform move_of_cut(const std::vector<Change>& changes,
+                           const std::vector<KnownChange>& known, const PlannedCut& cut,
+                           const CutFace& face) {
+  const Vec3 middle_mm = middle_of(face);
+  RigidTransform move;
+  const auto turn = [&](const char* kind, const Vec3& axis) {
+    if (const auto more_deg = asked(changes, known, named(kind, cut.name)))
+      move = turn_about(middle_mm, axis, radian_from_degree(*more_deg)) * move;
+  };
+  turn("tilt", cut.axis);
+  turn("roll", glm::cross(cut.face.normal, cut.axis));
+  if (const auto more_mm = asked(changes, known, named("offset", cut.name)))
+    move = shift_by(*more_mm * cut.face.normal) * move;
+  return move;
+}
+
+/// The way in its own plane that lets the kerf end elsewhere.
+Vec3 stop_shift(const simulator::KerfPlane& plane, const Vec3& outward, double more_mm) {
+  const Vec3 normal = axis_z(plane.bone_from_kerf);
+  const Vec3 along = outward - glm::dot(outward, normal) * normal;
+  const double size = length_of(along);
+  return (-more_mm / (size * size)) * along;
+}
+
+}  // namespace
+
+std::vector<Measurement> WhatIf::measured_again(const std::vector<Change>& changes) const {
+  const scenarios::Plan& plan = examination_.plan;
+  std::map<std::int32_t, RigidTransform> moves;
+  for (const PlannedCut& cut : plan.cuts) {
+    const CutFace* face = counting_face(evidence(), cut.name);
+    if (face != nullptr) moves[face->kerf] = move_of_cut(changes, known_, cut, *face);
+  }
+  for (const PlannedHinge& hinge : plan.hinges) {
+    const auto stop = std::ranges::find(changes, named("stop", hinge.name), &Change::name);
+    if (stop == changes.end()) continue;
+    for (const KerfBridge& bridge : bridges_left(hinge, evidence())) {
+      const Vec3 way_mm = stop_shift(examination_.rebuilt.fields.plane(bridge.kerf),
+                                     hinge.bridge.line.outward, stop->to - bridge.left_mm);
+      moves[bridge.kerf] = shift_by(way_mm) * moves[bridge.kerf];
+    }
+  }
+  simulator::Recording moved{recording_.engine, {}, recording_.samples, recording_.events};
+  OpenedFields fields = fields_;
+  for (const auto& [kerf, move] : moves)
+    move_kerf(moved, fields, bone_.world_from_bone, {kerf, move});
+  const RebuiltBone rebuilt = rebuild(bone_, scenario_.saw.blade, moved, {}, &fields);
+  std::vector<std::vector<CutFace>> faces;
+  for (std::size_t cut = 0; cut < plan.cuts.size(); ++cut) {
+    faces.emplace_back();
+    for (const CutFace& before : examination_.faces[cut]) {
+      faces.back().push_back(face_of_kerf(rebuilt, before.kerf, plan, cut));
+      faces.back().back().done_fraction = before.done_fraction;
+      faces.back().back().is_finished = before.is_finished;
+    }
+  }
+  return measure_geometry({scenario_, plan, rebuilt, faces, bone_, moved});
+}
+
+WhatIfOutcome WhatIf::with(const std::vector<Change>& changes) const {
+  WhatIfOutcome outcome;
+  outcome.measurements = examination_.measurements;
+  if (moves(changes)) replace_in(outcome.measurements, measured_again(changes));
+  for (const Change& change : changes) {
+    if (!find(change.name).is_replaced) continue;
+    for (Measurement& each : outcome.measurements) {
+      if (change_of(each) != change.name || !each.is_measured()) continue;
+      each.value = rounded_to_micro(change.to);
+      each.note = "Assumed, not measured.";
+    }
+  }
+  outcome.card =
+      score_measurements(scenario_, outcome.measurements, device_class_, recording_.engine);
+  return outcome;
+}
+
+std::vector<Change> WhatIf::candidates() const {
+  std::vector<Change> changes;
+  const scenarios::Rubric rubric = rubric_for(scenario_.rubric, device_class_);
+  for (const KnownChange& known : known_) {
+    if (!known.is_replaced) {
+      changes.push_back({known.name, planned_value(known, examination_.plan)});
+      continue;
+    }
+    for (const RubricItem& item : rubric.items) {
+      const Measurement* measurement = find_measurement(examination_.measurements, item);
+      if (measurement == nullptr || change_of(*measurement) != known.name) continue;
+      if (lost_milli(examination_.card, item.id) > 0)
+        changes.push_back({known.name, full_value(item, known.from)});
+    }
+  }
+  return changes;
+}
+
+Proposals WhatIf::propose(const Progress& progress) const {
+  Proposals proposals;
+  const std::vector<Change> all = candidates();
+  for (std::size_t index = 0; index < all.size(); ++index) {
+    report(progress, static_cast<double>(index) / static_cast<double>(all.size()));
+    const database::ScoreCard card = with({all[index]}).card;
+    const std::int64_t gain_milli = card.score_milli - examination_.card.score_milli;
+    if (gain_milli <= 0) continue;
+    ProposedChange proposed{find(all[index].name), all[index].to, gain_milli, {}};
+    for (const RubricItem& item : scenario_.rubric.items) {
+      if (lost_milli(card, item.id) < lost_milli(examination_.card, item.id))
+        proposed.items.push_back(item.id);
+    }
+    proposals.changes.push_back(std::move(proposed));
+  }
+  std::ranges::stable_sort(proposals.changes, std::ranges::greater{}, &ProposedChange::gain_milli);
+  if (proposals.changes.size() > proposals_most) proposals.changes.resize(proposals_most);
+  std::vector<Change> together;
+  for (const ProposedChange& each : proposals.changes)
+    together.push_back({each.change.name, each.to});
+  proposals.score_milli = with(together).card.score_milli;
+  proposals.gain_milli = proposals.score_milli - examination_.card.score_milli;
+  report(progress, 1.0);
+  return proposals;
+}
+
+}  // namespace hallux::assessment
