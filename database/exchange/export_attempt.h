@@ -8,6 +8,7 @@
 ///   UUID/score.csv      the ledger of the score in force
 ///   UUID/bone.bin       the bone, byte for byte
 ///   UUID/*.ply          made from these: the bone and the pieces it was left in
+///   UUID/plan.json      made from these: the plan on this bone, for other programs only
 ///
 /// The bytes depend on the attempt alone: not on the time, the machine or who exports it. An
 /// imported attempt leaves as it came: its manifest was kept, and names its first origin.

@@ -53,19 +53,31 @@ TEST(Scenario, SilverCutsAlongTheShaftOneMillimetreMedialToTheSulcus) {
   EXPECT_FALSE(silver.is_reviewed);
 }
 
-TEST(Scenario, SilverWeighsItsFiveAccuracyItemsAndLeavesTheOtherGroupsUnmeasured) {
+std::map<std::string, std::int64_t> weights_of(const Rubric& rubric) {
+  std::map<std::string, std::int64_t> weights;
+  for (const RubricItem& item : rubric.items) weights[item.group] += item.weight_milli;
+  return weights;
+}
+
+const std::map<std::string, std::int64_t> whole_weights{{"accuracy", 50'000},
+                                                        {"safety", 22'000},
+                                                        {"tool_use", 12'000},
+                                                        {"procedure", 8'000},
+                                                        {"efficiency", 8'000}};
+
+TEST(Scenario, SilverWeighsAllOfItsGroups) {
   const Rubric rubric = load_shipped_scenario("silver").rubric;
   ASSERT_EQ(rubric.groups.size(), 5U);
-  ASSERT_EQ(rubric.items.size(), 5U);
+  ASSERT_EQ(rubric.items.size(), 20U);
   EXPECT_EQ(rubric.groups[0].weight_milli, 50'000);
   EXPECT_EQ(rubric.items[0].weight_milli, 16'000);
   EXPECT_EQ(rubric.items[0].unit, "deg");
   for (const RubricItem& item : rubric.items) {
-    EXPECT_EQ(item.group, "accuracy");
     EXPECT_TRUE(item.is_provisional);
     EXPECT_FALSE(item.origin.empty());
   }
-  ASSERT_EQ(rubric.gates.size(), 3U);
+  EXPECT_EQ(weights_of(rubric), whole_weights);
+  ASSERT_EQ(rubric.gates.size(), 7U);
   EXPECT_EQ(rubric.gates[1].cap_milli, 59'000);
   EXPECT_EQ(rubric.gates[2].cap_milli, 69'000);
 }
@@ -92,19 +104,11 @@ TEST(Scenario, AkinJoinsTwoFacesAcrossTheBoneAtAHingeInsideTheLateralCortex) {
   EXPECT_FALSE(akin.is_reviewed);
 }
 
-TEST(Scenario, AkinWeighsAccuracyWhollyAndEightOfTheTwentyTwoPointsOfSafety) {
+TEST(Scenario, AkinWeighsAllOfItsGroups) {
   const Rubric rubric = load_shipped_scenario("akin").rubric;
-  std::map<std::string, std::int64_t> weights;
-  for (const RubricItem& item : rubric.items) {
-    weights[item.group] += item.weight_milli;
-    EXPECT_TRUE(item.is_provisional) << item.id;
-    EXPECT_EQ(&subject_of(item), item.cut.empty() ? &item.hinge : &item.cut) << item.id;
-    EXPECT_FALSE(subject_of(item).empty()) << item.id;
-  }
-  EXPECT_EQ(weights,
-            (std::map<std::string, std::int64_t>{{"accuracy", 50'000}, {"safety", 8'000}}));
-  EXPECT_EQ(rubric.groups.at(1).not_measured_milli, 14'000);
-  ASSERT_EQ(rubric.gates.size(), 4U);
+  for (const RubricItem& item : rubric.items) EXPECT_TRUE(item.is_provisional) << item.id;
+  EXPECT_EQ(weights_of(rubric), whole_weights);
+  ASSERT_EQ(rubric.gates.size(), 9U);
   EXPECT_EQ(rubric.gates[2].metric, "hinge_lost");
   EXPECT_EQ(rubric.gates[2].cap_milli, 69'000);
   EXPECT_EQ(rubric.gates[3].metric, "over_cut_mm");

@@ -134,6 +134,7 @@ void add_verbs(CLI::App& app, VerbContext& context) {
   add_replay_verb(app, context);
   add_score_verbs(app, context);
   add_what_if_verb(app, context);
+  add_metrics_verb(app, context);
   add_rescore_verb(app, context);
   add_cut_verb(app, context);
   add_scenario_verb(app, context);

@@ -7,6 +7,7 @@
 #include "simulator/base/progress.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/mesh/write_ply.h"
+#include "ui/jobs/plan_file.h"
 
 namespace hallux::ui {
 
@@ -80,13 +81,27 @@ void import_one(database::AdministratorDesk& desk, const std::filesystem::path& 
   }
 }
 
+/// Nothing where the scenario does not fit the bone: an attempt that was interrupted elsewhere was
+/// never planned here, and leaves as it came all the same.
+std::optional<scenarios::Plan> plan_if_it_fits(const scenarios::Scenario& scenario,
+                                               const simulator::Bone& bone) {
+  try {
+    return plan_on(scenario, bone);
+  } catch (const scenarios::ScenarioError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
-std::vector<database::DerivedFile> meshes_of(const database::ExportMaterial& material) {
+std::vector<database::DerivedFile> files_made_from(const database::ExportMaterial& material) {
   const scenarios::Scenario scenario =
       scenarios::parse_scenario(material.scenario.json, material.scenario.name);
   const simulator::Bone bone = simulator::decode_bone(material.bone);
   std::vector<database::DerivedFile> files{{"bone.ply", simulator::ply_bytes(solid_of(bone))}};
+  if (const auto plan = plan_if_it_fits(scenario, bone)) {
+    files.push_back({plan_file_name, plan_file(scenario, bone, *plan)});
+  }
   const assessment::RebuiltBone rebuilt =
       assessment::rebuild(bone, scenario.saw.blade, material.recording);
   for (std::size_t i = 0; i < rebuilt.pieces.size() && i < pieces_max; ++i) {
@@ -103,7 +118,7 @@ void export_attempts(const ExportRequest& request, const FindDesk& desk_of,
   for (std::size_t i = 0; i < request.attempts.size(); ++i) {
     cancelled_as("stopped while exporting; nothing was left in " + request.folder.string(),
                  [&] { hallux::report(one_of(progress_of_all, i, request.attempts.size()), 0.0); });
-    desk_of(request.attempts[i]).export_attempt(request.attempts[i], fresh.path(), meshes_of);
+    desk_of(request.attempts[i]).export_attempt(request.attempts[i], fresh.path(), files_made_from);
   }
   fresh.finish();
   if (progress_of_all) progress_of_all(1.0);

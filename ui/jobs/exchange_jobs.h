@@ -1,5 +1,5 @@
-/// Attempts as files for other programs, with their bones and pieces as PLY; and such files taken
-/// in, scored here.
+/// Attempts as files for other programs, with bones and pieces as PLY and the plan as JSON; and
+/// such files taken in, scored here.
 #pragma once
 
 #include <filesystem>
@@ -12,9 +12,10 @@
 
 namespace hallux::ui {
 
-/// The bone and the pieces that the record leaves of it, as PLY.
+/// What is made from a record for other programs: the bone and the pieces that the record leaves of
+/// it, as PLY, and the plan on this bone (see plan_file), where the scenario fits it.
 /// errors  ScenarioError, MeshError
-std::vector<database::DerivedFile> meshes_of(const database::ExportMaterial& material);
+std::vector<database::DerivedFile> files_made_from(const database::ExportMaterial& material);
 
 using FindDesk = std::function<database::AttemptDesk(const database::AttemptId&)>;
 

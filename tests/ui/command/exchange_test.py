@@ -4,6 +4,7 @@
 import csv
 import hashlib
 import json
+import math
 import pathlib
 import unittest
 
@@ -12,7 +13,23 @@ import jsonschema
 from hallux_command import BAD_INPUT, DONE, REFUSED, STORAGE, WRONG_USAGE, RecordedTest
 
 PASSWORD = "saw bone hinge wire"
-SCHEMA = pathlib.Path(__file__).resolve().parents[3] / "docs" / "schemas" / "attempt_manifest.schema.json"
+SCHEMAS = pathlib.Path(__file__).resolve().parents[3] / "docs" / "schemas"
+
+
+def check_schema(value, name):
+    jsonschema.Draft202012Validator(json.loads((SCHEMAS / f"{name}.schema.json").read_text())).validate(value)
+
+
+def dot(one, other):
+    return math.fsum(a * b for a, b in zip(one, other, strict=True))
+
+
+def numbers_in(value):
+    if isinstance(value, dict):
+        value = list(value.values())
+    if isinstance(value, list):
+        return [number for each in value for number in numbers_in(each)]
+    return [value] if isinstance(value, (int, float)) else []
 
 
 def bytes_below(folder):
@@ -74,7 +91,7 @@ class Exchange(RecordedTest):
 
     def test_the_manifest_keeps_its_schema_and_tells_the_truth(self):
         manifest = self.manifest()
-        jsonschema.Draft202012Validator(json.loads(SCHEMA.read_text())).validate(manifest)
+        check_schema(manifest, "attempt_manifest")
         self.assertEqual({entry["name"] for entry in manifest["files"]} | {"manifest.json"},
                          {file.name for file in self.exported.iterdir()})
         for entry in manifest["files"]:
@@ -82,6 +99,68 @@ class Exchange(RecordedTest):
             self.assertEqual(len(content), entry["bytes"], entry["name"])
             self.assertEqual(hashlib.blake2b(content, digest_size=32).hexdigest(), entry["blake2b_256"], entry["name"])
         self.assertGreaterEqual(len(list(self.exported.glob("piece-*.ply"))), 2, "the eminence and what is left")
+
+    def test_the_plan_is_told_in_the_frame_of_the_bone(self):
+        plan = json.loads((self.exported / "plan.json").read_text())
+        check_schema(plan, "plan")
+        manifest = self.manifest()
+        self.assertEqual((plan["scenario"], plan["scenario_version"]),
+                         (manifest["scenario"]["name"], manifest["scenario"]["version"]))
+        scenario = json.loads(manifest["scenario"]["text"])
+        self.assertEqual([cut["name"] for cut in plan["cuts"]], [cut["name"] for cut in scenario["cuts"]])
+        self.assertEqual([zone["name"] for zone in plan["danger_zones"]],
+                         [zone["name"] for zone in scenario["danger_zones"]])
+        for number in numbers_in(plan):
+            self.assertTrue(math.isfinite(number))
+        for cut in plan["cuts"]:
+            for direction in (cut["normal"], cut["axis"]):
+                self.assertAlmostEqual(dot(direction, direction), 1.0, delta=1e-12)
+            self.assertAlmostEqual(dot(cut["normal"], cut["axis"]), 0.0, delta=1e-12)
+            self.assertAlmostEqual(dot(cut["normal"], cut["entry_in_bone_mm"]), cut["offset_mm"], delta=1e-9)
+        rows = plan["world_from_bone"]
+        for i in range(3):
+            for j in range(3):
+                self.assertAlmostEqual(dot(rows[i][:3], rows[j][:3]), float(i == j), delta=1e-9)
+        self.assertEqual(rows[3], [0, 0, 0, 1])
+        blade = scenario["blade"]
+        self.assertEqual(plan["blade"], {key: blade[key] for key in plan["blade"]})
+
+    def test_an_export_without_a_plan_is_taken_in_and_leaves_as_it_came(self):
+        """Older programs wrote none; and whoever lost the file can import all the same."""
+        (self.exported / "plan.json").unlink()
+        manifest = self.manifest()
+        manifest["files"] = [entry for entry in manifest["files"] if entry["name"] != "plan.json"]
+        self.write_manifest(manifest)
+        self.assertEqual(self.as_ada("import", self.out)["imported"], [self.attempt])
+        self.as_ada("export", "--all", "-o", self.folder / "again")
+        self.assertEqual(bytes_below(self.folder / "again"), bytes_below(self.out))
+
+    def test_a_plan_that_was_lost_is_made_again(self):
+        whole = bytes_below(self.out)
+        (self.exported / "plan.json").unlink()
+        self.assertEqual(self.as_ada("import", self.out)["imported"], [self.attempt])
+        self.as_ada("export", "--all", "-o", self.folder / "again")
+        self.assertEqual(bytes_below(self.folder / "again"), whole)
+
+    def test_a_plan_is_never_believed(self):
+        """One that fits its digest and tells something else changes no score and does not leave again."""
+        self.as_ada("import", self.out)
+        honest = self.ask("score", self.attempt)["score"]
+        self.data = self.folder / "elsewhere"
+        self.ask("user", "add", "ada", "--administrator", stdin=PASSWORD + "\n")
+        plan = json.loads((self.exported / "plan.json").read_text())
+        plan["cuts"][0]["offset_mm"] += 5.0
+        content = json.dumps(plan).encode()
+        (self.exported / "plan.json").write_bytes(content)
+        manifest = self.manifest()
+        for entry in manifest["files"]:
+            if entry["name"] == "plan.json":
+                entry["bytes"], entry["blake2b_256"] = len(content), hashlib.blake2b(content, digest_size=32).hexdigest()
+        self.write_manifest(manifest)
+        self.assertEqual(self.as_ada("import", self.out)["imported"], [self.attempt])
+        self.assertEqual(self.ask("score", self.attempt)["score"], honest)
+        self.as_ada("export", "--all", "-o", self.folder / "again")
+        self.assertFalse((self.folder / "again" / self.attempt / "plan.json").exists())
 
     def test_a_spreadsheet_reads_the_tables(self):
         ticks = self.manifest()["attempt"]["duration_ticks"]
@@ -141,6 +220,7 @@ class Exchange(RecordedTest):
     def test_what_was_altered_is_refused_and_named_and_nothing_is_kept(self):
         for name, old, new in (("samples.csv", b"\r\n0,1,", b"\r\n0,1,1"), ("tape.csv", b"\r\n0,1,", b"\r\n0,=1,"),
                                ("bone.bin", self.exported.joinpath("bone.bin").read_bytes()[:40], b"x" * 40),
+                               ("plan.json", b'"format": 1', b'"format": 2'),
                                ("manifest.json", b'"state": "closed"', b'"state": "void"')):
             before = (self.exported / name).read_bytes()
             self.alter_file(name, old, new)

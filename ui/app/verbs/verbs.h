@@ -18,6 +18,9 @@ void add_score_verbs(CLI::App& app, VerbContext& context);
 /// `hallux what-if ATTEMPT [--change CHANGE=VALUE]...`.
 void add_what_if_verb(CLI::App& app, VerbContext& context);
 
+/// `hallux metrics`: what is measured, how and by which source.
+void add_metrics_verb(CLI::App& app, VerbContext& context);
+
 /// `hallux rescore SCENARIO [--with-version N] [--dry-run]`.
 void add_rescore_verb(CLI::App& app, VerbContext& context);
 

@@ -30,7 +30,7 @@ constexpr const char* degree = "\xC2\xB0";
 std::string with_unit(std::string number, std::string_view unit) {
   if (number.starts_with('-')) number.replace(0, 1, minus);
   if (unit == "deg") return number + degree;
-  return unit.empty() ? number : number + " " + std::string(unit);
+  return unit.empty() ? number : number + " " + assessment::unit_text(unit);
 }
 
 std::string percent(double share) { return assessment::number_text(100.0 * share, 0) + " %"; }
@@ -40,6 +40,13 @@ const RubricItem* find_item(const LedgerLine& line, const Scenario* scenario) {
   const auto found = std::find_if(scenario->rubric.items.begin(), scenario->rubric.items.end(),
                                   [&](const RubricItem& item) { return item.id == line.item; });
   return found == scenario->rubric.items.end() ? nullptr : &*found;
+}
+
+/// Of a gate that asks for a least.
+bool is_at_least(const LedgerLine& line, const Scenario* scenario) {
+  if (scenario == nullptr || line.kind != LedgerKind::Gate) return false;
+  const auto found = std::ranges::find(scenario->rubric.gates, line.item, &scenarios::Gate::name);
+  return found != scenario->rubric.gates.end() && found->is_at_least;
 }
 
 ScoreMark state_mark(const Texts& texts, const ResultFacts& facts) {
@@ -59,6 +66,7 @@ ScoreMark state_mark(const Texts& texts, const ResultFacts& facts) {
 }  // namespace
 
 std::string measured_text(double value, std::string_view unit) {
+  if (unit.empty()) return with_unit(assessment::value_text(value, unit), unit);
   return with_unit(assessment::number_text(value, unit == "mm" ? 2 : 1), unit);
 }
 
@@ -74,7 +82,8 @@ std::string target_text(const LedgerLine& line, const Scenario* scenario) {
   const RubricItem* item = find_item(line, scenario);
   if (item != nullptr && item->is_band)
     return with_unit(number(item->full_low) + dash + number(item->full_high), line.unit);
-  return at_most + with_unit(number(line.target), line.unit);
+  const bool is_least = item != nullptr ? item->full > item->zero : is_at_least(line, scenario);
+  return (is_least ? at_least : at_most) + with_unit(number(line.target), line.unit);
 }
 
 std::string item_title(const LedgerLine& line, const Scenario* scenario) {
