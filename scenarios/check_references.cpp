@@ -310,6 +310,24 @@ void check_rubric(const Scenario& scenario, std::string_view file) {
   check_group_weights(rubric, file);
 }
 
+/// What a fault must cost is in the rubric, and it costs something.
+void check_proof(const Scenario& scenario, std::string_view file) {
+  for (std::size_t i = 0; i < scenario.proof.size(); ++i) {
+    const ProofFault& proof = scenario.proof[i];
+    for (const std::string& id : proof.items) {
+      const bool is_known = std::ranges::any_of(
+          scenario.rubric.items, [&](const RubricItem& item) { return item.id == id; });
+      if (!is_known)
+        refuse(file, path_of("proof", i, "items"), is_text(id) + ", which is no item",
+               "name ids of rubric.items");
+    }
+    for (const std::string& name : proof.gates)
+      check_named(scenario.rubric.gates, name, "gate", path_of("proof", i, "gates"), file);
+    if (proof.items.empty() && proof.gates.empty())
+      refuse(file, path_of("proof", i, "items"), "is empty", "say what the fault must cost");
+  }
+}
+
 }  // namespace
 
 void check_references(const Scenario& scenario, std::string_view file) {
@@ -324,6 +342,7 @@ void check_references(const Scenario& scenario, std::string_view file) {
   check_hinges(scenario, file);
   check_steps(scenario, file);
   check_rubric(scenario, file);
+  check_proof(scenario, file);
 }
 
 }  // namespace hallux::scenarios

@@ -115,6 +115,15 @@ JointSurface read_joint_surface(const JsonNode& node) {
           .origin = read_origin(node)};
 }
 
+ProofFault read_proof_fault(const JsonNode& node) {
+  node.expect_keys({"fault", "items"}, {"gates"});
+  ProofFault proof{.fault = node.at("fault").text(1, 200)};
+  for (const JsonNode& item : node.at("items").list(0, 64)) proof.items.push_back(item.text(1, 16));
+  if (!node.has("gates")) return proof;
+  for (const JsonNode& gate : node.at("gates").list(1, 16)) proof.gates.push_back(gate.name());
+  return proof;
+}
+
 /// Dorsal is up where nothing is said; to an eye that looks straight down, distal.
 Vec3 read_up(const JsonNode& node, const Vec3& eye_in_bone) {
   constexpr double straight = 0.999;
@@ -198,7 +207,7 @@ Scenario parse_scenario(std::string_view json, std::string_view name) {
   root.expect_keys(
       {"format", "name", "title", "version", "reviewed", "reviewed_by", "indication", "summary",
        "sources", "patient", "blade", "cuts", "steps", "danger_zones", "rubric"},
-      {"hinges", "joint_surfaces", "start"});
+      {"hinges", "joint_surfaces", "proof", "start"});
   Scenario scenario;
   read_head(root, scenario);
   scenario.patient = read_patient(root.at("patient"));
@@ -206,6 +215,10 @@ Scenario parse_scenario(std::string_view json, std::string_view name) {
   read_lists(root, scenario);
   if (root.has("start")) scenario.start = read_start(root.at("start"));
   scenario.rubric = read_rubric(root.at("rubric"));
+  if (root.has("proof")) {
+    for (const JsonNode& entry : root.at("proof").list(1, 64))
+      scenario.proof.push_back(read_proof_fault(entry));
+  }
   scenario.text = json;
   check_references(scenario, name);
   return scenario;

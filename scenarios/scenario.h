@@ -206,6 +206,16 @@ struct JointSurface {
   std::string origin;
 };
 
+/// A performance that proves the rubric: the perfect hand with one fault, and what that must cost.
+struct ProofFault {
+  /// As `hallux attempt --fault` takes it: "tilt:proximal_face=8".
+  std::string fault;
+  /// Ids of rubric items that lose at least half of their points.
+  std::vector<std::string> items;
+  /// Names of the gates that it triggers; it triggers no others.
+  std::vector<std::string> gates;
+};
+
 /// Where somebody stands and holds the saw when the operation begins; directions along the axes of
 /// the bone frame, of unit length.
 struct StartingPlace {
@@ -255,6 +265,8 @@ struct Scenario {
   std::optional<StartingPlace> start = {};
   /// None in older texts.
   std::vector<JointSurface> joint_surfaces = {};
+  /// None in older texts.
+  std::vector<ProofFault> proof = {};
 };
 
 /// The scenario in a JSON text; `name` stands in the messages.
