@@ -55,7 +55,7 @@ struct NewAttempt {
   ScenarioVersionId scenario;
   /// Nothing: the robot's.
   std::optional<PersonId> person;
-  /// "expert", "novice", a file's name, or "" for a person's own.
+  /// "expert", "novice", "perfect", a file's name, or "" for a person's own.
   std::string hand;
   std::uint64_t seed = 0;
   std::string device_class = "scripted";

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "scenarios/hands/cut_strokes.h"
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 using simulator::CommandKind;
 
-constexpr double overlap_mm = 3.0;
 /// What a hand takes a newton aside for: so far is the handle out of the slot [mm].
 constexpr double give_mm_per_newton = 0.5;
 /// From piece to piece.
@@ -60,10 +60,7 @@ void FeelingHand::wait(double time_s) {
 }
 
 std::vector<Stroke> FeelingHand::strokes_of(const Scenario& scenario, std::size_t cut) const {
-  const AimedCut& aimed = cuts_[cut];
-  const std::vector<Stroke> strokes =
-      plan_strokes(aimed.region, {scenario.saw.blade.width_mm, overlap_mm, skill_.edge_margin_mm});
-  return aimed.stop_mm ? stopped(strokes, *aimed.stop_mm) : strokes;
+  return cut_strokes(cuts_[cut], scenario.saw.blade, skill_);
 }
 
 /// Where the blade is brought to a cut: in front of its first stroke, or of the bone where the hand

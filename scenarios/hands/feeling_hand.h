@@ -1,5 +1,5 @@
-/// Scripted hands that feel: a plan carried out by an expert or a novice, as well as what they feel
-/// and see lets them.
+/// Scripted hands that feel: a plan carried out by an expert, by a novice or without any error, as
+/// well as what they feel and see lets them.
 ///
 ///     force, pose of the blade
 ///       --> senses --a reaction time later--> stroke work --> handle --> device state

@@ -24,8 +24,6 @@ using simulator::Section;
 using simulator::SectionRegion;
 
 constexpr double tilt_spread_rad = 0.5;  ///< of the axis of a tilt about the blade's tooth line
-constexpr double smallest_angle_deg = 0.3;
-constexpr double smallest_location_mm = 0.05;
 
 Vec3 side_direction(std::string_view side) {
   if (side == "dorsal") return {0.0, 1.0, 0.0};
@@ -118,10 +116,10 @@ struct AimErrors {
 AimErrors draw_errors(const Target& target, const HandSkill& skill) {
   Random random(target.seed, "hand.aim" + target.stream);
   const double angle_rad = radian_from_degree(
-      std::max(smallest_angle_deg,
+      std::max(skill.least_angle_deg,
                random.truncated_normal(skill.angle_mean_deg, skill.angle_deviation_deg, 2.0)));
   const double location_mm =
-      std::max(smallest_location_mm,
+      std::max(skill.least_location_mm,
                random.truncated_normal(skill.location_mean_mm, skill.location_deviation_mm, 2.0));
   // Along a bone a hand sees the direction better than its blade's tilt about it; across it sees
   // neither.
@@ -197,6 +195,7 @@ struct FirstCut {
 Vec3 turned_like(const FirstCut& first, const Vec3& direction) {
   const Vec3 axis = glm::cross(first.planned.face.normal, first.aimed.face.normal);
   const double sine = length_of(axis);
+  if (sine == 0.0) return direction;
   const double angle_rad =
       elementary::atan2(sine, glm::dot(first.planned.face.normal, first.aimed.face.normal));
   return transform_direction({rotation_about(axis / sine, angle_rad), {}}, direction);
@@ -243,11 +242,19 @@ Target target_of(const Scenario& scenario, const Plan& plan, std::size_t index,
           seed, index == 0 ? std::string() : "." + cut.name};
 }
 
+/// Where the hinge's line is in the blade's plane: as planned, or as far inside the bone that is
+/// seen.
+double line_mm(const PlannedHinge& hinge, const HandSkill& skill, const AimedCut& aimed) {
+  const simulator::HingeLine& line = hinge.bridge.line;
+  if (!skill.keeps_to_plan) return far_point(aimed.region).x - line.thickness_mm;
+  return transform_point(inverse(aimed.plane.bone_from_kerf), line.point_in_bone_mm).x;
+}
+
 void plan_stop(const Plan& plan, const HandSkill& skill, const Target& target, AimedCut& aimed) {
   const PlannedHinge* hinge = find_hinge(plan, target.cut.hinge);
   if (hinge == nullptr) return;
   const double error_mm = stop_error_mm(*hinge, target.cut, skill, target.seed);
-  aimed.stop_mm = far_point(aimed.region).x - hinge->bridge.line.thickness_mm + error_mm;
+  aimed.stop_mm = line_mm(*hinge, skill, aimed) + error_mm;
   aimed.loses_hinge = error_mm >= hinge->bridge.line.thickness_mm;
 }
 
@@ -263,7 +270,7 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
     const AimErrors errors = draw_errors(target, skill);
     aimed = {};
     aimed.angle_error_rad = errors.angle_rad;
-    if (target.cut.kind == FaceKind::ThroughHinge) {
+    if (target.cut.kind == FaceKind::ThroughHinge && !skill.keeps_to_plan) {
       const PlannedHinge& hinge = *find_hinge(plan, target.cut.hinge);
       const std::size_t first = index_of_cut(plan, hinge.first_cut);
       const AimedCut& made = aims[first];

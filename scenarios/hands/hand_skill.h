@@ -2,6 +2,7 @@
 /// what it notices when.
 #pragma once
 
+#include <array>
 #include <string_view>
 
 namespace hallux::scenarios {
@@ -54,9 +55,10 @@ struct Cooling {
 struct HandSkill {
   /// Between the aimed face and the plan.
   double angle_mean_deg = 2.5, angle_deviation_deg = 1.5;
-  double location_mean_mm = 0.8,
-         /// Largest distance between them over the section.
-      location_deviation_mm = 0.5;
+  /// Largest distance between them over the section.
+  double location_mean_mm = 0.8, location_deviation_mm = 0.5;
+  /// No hand errs less than this by luck.
+  double least_angle_deg = 0.3, least_location_mm = 0.05;
   /// Out of the plane while sawing, before it is noticed.
   double wander_mm = 0.3;
   double wander_rad = 0.01;
@@ -65,6 +67,8 @@ struct HandSkill {
   double stroke_jitter_rad = 0.005;
   /// How far the outermost strokes reach beyond the bone's sides.
   double edge_margin_mm = 0.15;
+  /// How far it goes on after the last bone that it expects.
+  double beyond_mm = 1.5;
   double approach_mm_s = 30.0;
   Push push;
   Perception perception;
@@ -73,8 +77,12 @@ struct HandSkill {
   double stop_mean_mm = -0.4, stop_deviation_mm = 0.3;
   /// How well a second cut comes to the end of the first.
   double meet_deviation_mm = 0.2;
+  /// A second cut and its end are those of the plan, not measured off from the first cut.
+  bool keeps_to_plan = false;
 };
 
+inline constexpr std::array<std::string_view, 3> hand_names{"expert", "novice", "perfect"};
+bool is_hand_name(std::string_view name) noexcept;
 /// errors  ScenarioError naming the hands there are
 HandSkill hand_skill(std::string_view name);
 

@@ -7,8 +7,6 @@ namespace hallux::scenarios {
 
 namespace {
 
-/// A hand goes on after the last bone that it expects.
-constexpr double beyond_mm = 1.5;
 /// Bone so near beside the tooth line counts as under it.
 constexpr double beside_mm = 1.0;
 
@@ -30,9 +28,10 @@ void widen(Stroke& stroke, const Vec2& from, const Vec2& to, double low_mm, doub
 
 /// Feed range of the region under a tooth line in the middle of `along_mm`; the whole range where
 /// no contour says more.
-Stroke stroke_at(const simulator::SectionRegion& region, double along_mm, double width_mm) {
+Stroke stroke_at(const simulator::SectionRegion& region, double along_mm,
+                 const StrokeLayout& layout) {
   Stroke stroke{along_mm, region.max_mm.x, region.min_mm.x};
-  const double half_mm = 0.5 * width_mm + beside_mm;
+  const double half_mm = 0.5 * layout.blade_width_mm + beside_mm;
   for (const simulator::Contour& contour : region.contours) {
     for (std::size_t i = 0; i < contour.size(); ++i) {
       widen(stroke, contour[i], contour[(i + 1) % contour.size()], along_mm - half_mm,
@@ -43,7 +42,7 @@ Stroke stroke_at(const simulator::SectionRegion& region, double along_mm, double
     stroke.first_mm = region.min_mm.x;
     stroke.last_mm = region.max_mm.x;
   }
-  stroke.end_mm = stroke.last_mm + beyond_mm;
+  stroke.end_mm = stroke.last_mm + layout.beyond_mm;
   return stroke;
 }
 
@@ -61,7 +60,7 @@ std::vector<Stroke> plan_strokes(const simulator::SectionRegion& region,
   std::vector<Stroke> strokes;
   for (int i = 0; i < count; ++i) {
     const double along_mm = middle_mm + spread_mm * (i - 0.5 * (count - 1));
-    strokes.push_back(stroke_at(region, along_mm, layout.blade_width_mm));
+    strokes.push_back(stroke_at(region, along_mm, layout));
   }
   // From the middle outwards: each stroke after the first has an open slot beside it to drop into.
   std::stable_sort(strokes.begin(), strokes.end(), [middle_mm](const Stroke& a, const Stroke& b) {

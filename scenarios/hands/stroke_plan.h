@@ -26,6 +26,8 @@ struct StrokeLayout {
   double overlap_mm = 3.0;
   /// By which the outermost strokes reach beyond the sides of the section.
   double margin_mm = 1.5;
+  /// By which a hand goes on after the last bone that it expects.
+  double beyond_mm = 1.5;
 };
 
 /// needs   0 < overlap < blade width

@@ -35,7 +35,7 @@ struct HeldHand {
 
 struct ScriptedAttempt {
   scenarios::Scenario scenario;
-  /// Expert, novice, or what a file is called in the record.
+  /// One of hand_names, or what a file is called in the record.
   std::string hand = "expert";
   /// From a file; else made for the hand and seed.
   std::optional<simulator::HandMotion> motion;
@@ -79,7 +79,7 @@ struct AttemptOutcome {
 
 /// Makes the patient, runs the hand through loop and recorder, scores what was recorded. The
 /// attempt is the robot's.
-/// needs   a motion where there is an arm: the expert and the novice lead the saw themselves
+/// needs   a motion where there is an arm: the hands that feel lead the saw themselves
 /// errors  ScenarioError, MeshError, DatabaseError; Cancelled: what was recorded stays, as
 ///         interrupted
 AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,

@@ -67,8 +67,9 @@ TEST(FeelingHand, OfAnUnknownNameIsRefusedWithTheNamesThereAre) {
     hand_skill("surgeon");
     FAIL() << "a hand of that name was given";
   } catch (const ScenarioError& error) {
-    EXPECT_STREQ(error.what(),
-                 "there is no hand \"surgeon\"; use expert, novice, or a file with a motion");
+    EXPECT_STREQ(
+        error.what(),
+        "there is no hand \"surgeon\"; use expert, novice, perfect, or a file with a motion");
   }
 }
 

@@ -115,6 +115,14 @@ TEST(HandOnBlock, PlungesByWhatTheSpringHoldsAndWhatItLeansOnUntilItReacts) {
   }
 }
 
+TEST(HandOnBlock, WithoutErrorsRunsOnByNoMoreThanItsLastPushStretches) {
+  const Block block;
+  const HandSkill perfect = scenarios::hand_skill("perfect");
+  const double plunge_mm = block.plunge_mm(perfect, 1);
+  EXPECT_GE(plunge_mm, perfect.beyond_mm) << "it saws through";
+  EXPECT_LT(plunge_mm, 0.5 * perfect.push.exit_newton + 0.3);
+}
+
 double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];

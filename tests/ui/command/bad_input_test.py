@@ -112,7 +112,7 @@ class BadMotion(CommandTest):
         self.refuse({"keys": [{**key, "normal": [1, 0, 0]}]}, "keys[0]", "parallel")
 
     def test_a_hand_that_is_nowhere(self):
-        self.expect_refusal(BAD_INPUT, ["surgeon", "expert", "novice"], "attempt", "silver", "--hand", "surgeon")
+        self.expect_refusal(BAD_INPUT, ["surgeon", "expert", "novice", "perfect"], "attempt", "silver", "--hand", "surgeon")
         self.assertFalse(self.data.exists())
 
 

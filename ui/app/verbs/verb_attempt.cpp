@@ -13,6 +13,7 @@
 
 #include "assessment/pass_mark.h"
 #include "scenarios/hands/hand_file.h"
+#include "scenarios/hands/hand_skill.h"
 #include "simulator/base/digest.h"
 #include "simulator/base/units.h"
 #include "simulator/base/utf8.h"
@@ -43,8 +44,6 @@ struct AttemptOptions {
   double seconds = 0.0;
 };
 
-bool is_feeling(const std::string& hand) { return hand == "expert" || hand == "novice"; }
-
 /// Neither of the two that are always there: the id of one that is plugged in.
 bool is_plugged(const AttemptOptions& options) {
   return options.device != "scripted" && options.device != "arm";
@@ -52,7 +51,7 @@ bool is_plugged(const AttemptOptions& options) {
 
 /// errors  VerbError: WrongUsage
 void check_device(const AttemptOptions& options) {
-  if (options.device == "arm" && is_feeling(options.hand)) {
+  if (options.device == "arm" && scenarios::is_hand_name(options.hand)) {
     throw VerbError(ExitCode::WrongUsage, "--device arm takes a hand from a file: the " +
                                               options.hand +
                                               " leads the saw itself; give --hand FILE");
@@ -107,9 +106,10 @@ ScriptedAttempt attempt_from(const AttemptOptions& options) {
   attempt.guidance =
       database::named<simulator::Guidance>(options.guidance).value_or(simulator::Guidance::None);
   if (options.device == "arm") attempt.arm_law = force_law_from(options.force_law);
-  if (is_feeling(options.hand)) return attempt;
-  const std::string text = read_small_file(options.hand, hand_mebibytes_max,
-                                           "--hand takes expert, novice, or a file with a motion");
+  if (scenarios::is_hand_name(options.hand)) return attempt;
+  const std::string text =
+      read_small_file(options.hand, hand_mebibytes_max,
+                      "--hand takes expert, novice, perfect, or a file with a motion");
   attempt.motion = scenarios::parse_hand_motion(text, options.hand);
   attempt.hand = kept_name_of(options.hand, text);
   return attempt;
@@ -267,7 +267,9 @@ void add_attempt_verbs(CLI::App& app, VerbContext& context) {
       "attempt", "run a scripted attempt through loop, recorder and score; it is the robot's");
   attempt->add_option("scenario", options->scenario, "a shipped scenario's name, or a file")
       ->required();
-  attempt->add_option("--hand", options->hand, "expert, novice, or a file with a motion")
+  attempt
+      ->add_option("--hand", options->hand,
+                   "expert, novice, perfect (without any error), or a file with a motion")
       ->capture_default_str();
   attempt->add_option("--seed", options->seed, "seed of the hand's errors")
       ->check(fault_in_seed)
