@@ -117,7 +117,8 @@ JointSurface read_joint_surface(const JsonNode& node) {
 
 ProofFault read_proof_fault(const JsonNode& node) {
   node.expect_keys({"fault", "items"}, {"gates"});
-  ProofFault proof{.fault = node.at("fault").text(1, 200)};
+  ProofFault proof;
+  proof.fault = node.at("fault").text(1, 200);
   for (const JsonNode& item : node.at("items").list(0, 64)) proof.items.push_back(item.text(1, 16));
   if (!node.has("gates")) return proof;
   for (const JsonNode& gate : node.at("gates").list(1, 16)) proof.gates.push_back(gate.name());

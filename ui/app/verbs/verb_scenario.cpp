@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <iomanip>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <ostream>
@@ -9,6 +10,7 @@
 #include "simulator/base/units.h"
 #include "ui/app/terminal/terminal_text.h"
 #include "ui/jobs/course/scenario_jobs.h"
+#include "ui/jobs/prove_scenario.h"
 #include "ui/sight/check_start_view.h"
 
 namespace hallux::ui {
@@ -99,6 +101,52 @@ ExitCode show_on(const VerbContext& context, const std::string& name) {
   return ExitCode::Done;
 }
 
+ordered_json losses_json(const std::vector<LostPoints>& lost) {
+  ordered_json list = ordered_json::array();
+  for (const LostPoints& each : lost) {
+    list.push_back({{"item", each.item},
+                    {"points_lost", static_cast<double>(each.lost_milli) / 1000.0},
+                    {"text", each.text}});
+  }
+  return list;
+}
+
+ordered_json performance_json(const ProvedPerformance& performance) {
+  return {{"name", performance.name},
+          {"score", static_cast<double>(performance.score_milli) / 1000.0},
+          {"lost", losses_json(performance.lost)},
+          {"expected", performance.expected},
+          {"ok", performance.is_ok()},
+          {"differences", performance.differences}};
+}
+
+void print_performance(std::ostream& out, const ProvedPerformance& performance) {
+  out << (performance.is_ok() ? "  as expected  " : "  DIFFERS      ") << std::fixed
+      << std::setprecision(1) << static_cast<double>(performance.score_milli) / 1000.0 << "  "
+      << terminal_text(performance.name) << "\n";
+  for (const std::string& difference : performance.differences)
+    out << "      " << terminal_text(difference) << "\n";
+}
+
+ExitCode prove_on(const VerbContext& context, const std::string& name) {
+  const Scenario scenario = load_scenario(name);
+  const ScenarioProof proof = prove_scenario(scenario, stages_on(context));
+  ordered_json performances = ordered_json::array();
+  for (const ProvedPerformance& each : proof.faults) performances.push_back(performance_json(each));
+  answer(context,
+         {{"scenario", scenario.name},
+          {"scenario_version", scenario.version},
+          {"passed", proof.has_passed()},
+          {"perfect", performance_json(proof.perfect)},
+          {"performances", std::move(performances)}},
+         [&](std::ostream& out) {
+           print_performance(out, proof.perfect);
+           for (const ProvedPerformance& each : proof.faults) print_performance(out, each);
+           out << (proof.has_passed() ? "The rubric is proven.\n" : "The rubric is not proven.\n");
+         });
+  return proof.has_passed() ? ExitCode::Done : ExitCode::CheckFailed;
+}
+
 }  // namespace
 
 void add_scenario_verb(CLI::App& app, VerbContext& context) {
@@ -115,6 +163,12 @@ void add_scenario_verb(CLI::App& app, VerbContext& context) {
       verb->add_subcommand("check", "Read a scenario and lay its planes on its patient");
   check->add_option("FILE", *file, "The scenario's JSON file")->required();
   choose(*check, context, [&context, file] { return check_on(context, *file); });
+
+  const auto proved = std::make_shared<std::string>();
+  CLI::App* prove = verb->add_subcommand(
+      "prove", "Let the perfect hand operate, without and with each fault that the scenario lists");
+  prove->add_option("NAME", *proved, "A shipped scenario's name, or a file")->required();
+  choose(*prove, context, [&context, proved] { return prove_on(context, *proved); });
 
   const auto name = std::make_shared<std::string>();
   CLI::App* show = verb->add_subcommand("show", "Show a scenario with the origin of every number");

@@ -27,7 +27,7 @@ void add_rescore_verb(CLI::App& app, VerbContext& context);
 /// `hallux cut MESH --plane nx,ny,nz,d --kerf MM [--sweep FILE] ... -o DIR`.
 void add_cut_verb(CLI::App& app, VerbContext& context);
 
-/// `hallux scenario list | check FILE | show NAME`.
+/// `hallux scenario list | check FILE | show NAME | prove NAME`.
 void add_scenario_verb(CLI::App& app, VerbContext& context);
 
 /// `hallux user add | list | passwd | disable | erase | recover`.
