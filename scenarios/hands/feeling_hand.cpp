@@ -1,12 +1,11 @@
-/// The operation is a list of acts made beforehand: turn to a cut, saw a stroke, wait, say. A tick
-/// feels, holds the blade, and carries on with the act at hand; several short acts may end in one
-/// tick. The blade's plane is the hand's own frame: once a kerf is frozen the hand lays that frame
-/// into the slot, and the handle stays where it is.
+/// The operation is a list of acts made beforehand (hand_acts.h). A tick feels, holds the blade,
+/// and carries on with the act at hand; several short acts may end in one tick. The blade's plane
+/// is the hand's own frame: once a kerf is frozen the hand lays that frame into the slot, and the
+/// handle stays where it is.
 #include "scenarios/hands/feeling_hand.h"
 
 #include <algorithm>
 
-#include "scenarios/hands/cut_strokes.h"
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
 
@@ -20,85 +19,27 @@ using simulator::CommandKind;
 constexpr double give_mm_per_newton = 0.5;
 /// From piece to piece.
 constexpr double take_s = 0.5;
-constexpr double far_hovers = 3.0, turn_hovers = 2.0;  ///< how far off the bone, in hover_mm
-
-std::size_t first_cut_of(const Scenario& scenario, const Plan& plan) {
-  const auto step =
-      std::find_if(scenario.steps.begin(), scenario.steps.end(),
-                   [](const OperationStep& candidate) { return candidate.kind == StepKind::Cut; });
-  return step == scenario.steps.end() ? 0 : index_of_cut(plan, step->cut);
-}
-
 }  // namespace
 
 FeelingHand::FeelingHand(const Scenario& scenario, const simulator::Bone& bone, const Plan& plan,
                          const HandSkill& skill, std::uint64_t seed)
     : skill_(skill),
-      seed_(seed),
       world_from_bone_(bone.world_from_bone),
       cuts_(aim(scenario, plan, KnownBone(bone), skill, seed)),
-      cut_at_hand_(first_cut_of(scenario, plan)),
-      world_from_blade_(world_from_bone_ * cuts_.at(cut_at_hand_).plane.bone_from_kerf),
       senses_(skill.perception, Random(seed, "hand.eye")),
       work_(skill, seed),
       out_(Random(seed, "wander.out"), skill.wander_mm, skill.perception.steadying_per_s),
       tilt_x_(Random(seed, "wander.tilt_x"), skill.wander_rad, skill.perception.steadying_per_s),
       tilt_y_(Random(seed, "wander.tilt_y"), skill.wander_rad, skill.perception.steadying_per_s) {
-  const Stroke first = first_stroke(scenario, cut_at_hand_);
-  handle_.feed_mm = first.first_mm - far_hovers * hover_mm;
-  handle_.along_mm = first.along_mm;
-  plan_acts(scenario, plan);
+  const Undertaking undertaking{scenario, bone, plan, cuts_, skill_, seed};
+  const Act start = starting_act(undertaking);
+  world_from_blade_ = world_from_bone_ * start.bone_from_blade;
+  handle_.feed_mm = start.feed_mm;
+  handle_.along_mm = start.along_mm;
+  acts_ = plan_acts(undertaking);
+  const double times = std::max(1.0, fault_size(skill_.faults, FaultKind::Slow));
+  end_tick_ = static_cast<std::int64_t>(times * static_cast<double>(last_tick));
   world_from_tool_ = pose();
-}
-
-void FeelingHand::say(CommandKind kind, std::int32_t argument) {
-  acts_.push_back({.kind = Act::Kind::Say, .command = {kind, argument, 0}});
-}
-
-void FeelingHand::wait(double time_s) {
-  acts_.push_back({.kind = Act::Kind::Wait, .wait_s = time_s});
-}
-
-std::vector<Stroke> FeelingHand::strokes_of(const Scenario& scenario, std::size_t cut) const {
-  return cut_strokes(cuts_[cut], scenario.saw.blade, skill_);
-}
-
-/// Where the blade is brought to a cut: in front of its first stroke, or of the bone where the hand
-/// means to stop before it.
-Stroke FeelingHand::first_stroke(const Scenario& scenario, std::size_t cut) const {
-  const std::vector<Stroke> strokes = strokes_of(scenario, cut);
-  return strokes.empty() ? Stroke{.first_mm = cuts_[cut].region.min_mm.x} : strokes.front();
-}
-
-void FeelingHand::plan_cut(const Scenario& scenario, const Plan& plan, std::size_t cut) {
-  const std::vector<Stroke> strokes = strokes_of(scenario, cut);
-  if (cut != cut_at_hand_) {
-    acts_.push_back({.kind = Act::Kind::TurnTo, .cut = cut, .stroke = first_stroke(scenario, cut)});
-  }
-  Random jitter(seed_, cut == 0 ? "hand.strokes" : "hand.strokes." + plan.cuts[cut].name);
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    Act act{.kind = Act::Kind::Saw, .stroke = strokes[i]};
-    // The first stroke makes the plane; later ones come back to it as well as the hand can.
-    if (i > 0) {
-      act.jitter_mm = jitter.truncated_normal(0.0, skill_.stroke_jitter_mm);
-      act.jitter_rad = jitter.truncated_normal(0.0, skill_.stroke_jitter_rad);
-    }
-    acts_.push_back(act);
-  }
-}
-
-void FeelingHand::plan_acts(const Scenario& scenario, const Plan& plan) {
-  say(CommandKind::Start);
-  for (std::size_t step = 0; step < scenario.steps.size(); ++step) {
-    const OperationStep& at_hand = scenario.steps[step];
-    if (at_hand.kind == StepKind::Cut) plan_cut(scenario, plan, index_of_cut(plan, at_hand.cut));
-    if (at_hand.kind == StepKind::Remove) say(CommandKind::PickUp, simulator::piece_freed_last);
-    if (at_hand.kind == StepKind::Close) say(CommandKind::CloseHinge);
-    wait(at_hand.kind == StepKind::Verify ? 1.0 : 0.5);
-    if (at_hand.kind == StepKind::Remove) acts_.push_back({.kind = Act::Kind::TakeRest});
-    say(CommandKind::StepDone, static_cast<std::int32_t>(step));
-  }
-  say(CommandKind::Finish);
 }
 
 bool FeelingHand::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
@@ -114,7 +55,7 @@ bool FeelingHand::exchange(const Vec3& force_in_world_newton, std::int64_t tick,
     ++next_act_;
     is_begun_ = false;
   }
-  if (tick + 1 >= last_tick) queue({CommandKind::Finish, 0, 0});
+  if (tick + 1 >= end_tick_) queue({CommandKind::Finish, 0, 0});
   state.world_from_handle = pose();
   state.switches = (handle_.saw_runs ? bit(simulator::Switch::SawRuns) : 0U) |
                    (handle_.irrigates ? bit(simulator::Switch::Irrigates) : 0U);
@@ -133,8 +74,12 @@ bool FeelingHand::goes_on(double span_s) noexcept {
     case Act::Kind::Saw:
       work_.go_on(handle_, senses_, felt_newton_, span_s);
       return work_.is_done();
+    case Act::Kind::Lead:
+      return leads_on(act, span_s);
     case Act::Kind::Wait:
       return act_s_ >= act.wait_s;
+    case Act::Kind::Idle:
+      return idles_on(act, span_s);
     case Act::Kind::Say:
       if (queued_ == queue_.size()) return false;
       queue(act.command);
@@ -143,6 +88,20 @@ bool FeelingHand::goes_on(double span_s) noexcept {
       return take_rest();
   }
   return true;
+}
+
+bool FeelingHand::leads_on(const Act& act, double span_s) noexcept {
+  const double most_mm = skill_.approach_mm_s * span_s;
+  handle_.feed_mm += std::clamp(act.feed_mm - handle_.feed_mm, -most_mm, most_mm);
+  handle_.saw_runs = act.saw_runs;
+  handle_.irrigates = act.saw_runs && skill_.cooling.has_water;
+  return handle_.feed_mm == act.feed_mm;
+}
+
+/// Until it has been idle for as long as its work so far asks.
+bool FeelingHand::idles_on(const Act& act, double span_s) noexcept {
+  idled_s_ += span_s;
+  return idled_s_ >= act.idle_share * (second_from_tick(tick_) - idled_s_);
 }
 
 /// Bone that was sawn off in several pieces is taken out whole. True where none is left.
@@ -166,12 +125,12 @@ void FeelingHand::begin_act() noexcept {
   }
 }
 
-/// Straight through the air into the plane of another cut.
+/// Straight through the air into another plane.
 void FeelingHand::begin_turn(const Act& act) noexcept {
   turned_from_ = pose();
-  world_from_blade_ = world_from_bone_ * cuts_[act.cut].plane.bone_from_kerf;
-  handle_.feed_mm = act.stroke.first_mm - turn_hovers * hover_mm;
-  handle_.along_mm = act.stroke.along_mm;
+  world_from_blade_ = world_from_bone_ * act.bone_from_blade;
+  handle_.feed_mm = act.feed_mm;
+  handle_.along_mm = act.along_mm;
   out_.mean(0.0);
   tilt_x_.mean(0.0);
   const double way_mm = length_of(held_pose().translation_mm - turned_from_.translation_mm);

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scenarios/hands/hand_acts.h"
 #include "scenarios/hands/hand_aim.h"
 #include "scenarios/hands/held_axis.h"
 #include "scenarios/hands/loose_pieces.h"
@@ -37,6 +38,8 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   const std::vector<AimedCut>& cuts() const noexcept { return cuts_; }
   /// An attempt that is not done by then is finished as it is.
   static constexpr std::int64_t last_tick = 300'000;
+  /// Likewise of this hand: later where it is slow on purpose.
+  std::int64_t end_tick() const noexcept { return end_tick_; }
 
   simulator::DeviceDescription description() const override {
     return {"scripted hand", "scripted"};
@@ -48,29 +51,10 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   double fraction_done() const noexcept override;
 
  private:
-  /// What the hand does next.
-  struct Act {
-    enum class Kind { TurnTo, Saw, Wait, Say, TakeRest };
-    Kind kind = Kind::Wait;
-    /// TurnTo: the one in whose plane the blade is to lie.
-    std::size_t cut = 0;
-    /// Saw; TurnTo: the first there.
-    Stroke stroke = {};
-    /// Saw: how well it comes back to the slot.
-    double jitter_mm = 0.0, jitter_rad = 0.0;
-    double wait_s = 0.0;
-    simulator::Command command = {};
-  };
-
-  void plan_acts(const Scenario& scenario, const Plan& plan);
-  void plan_cut(const Scenario& scenario, const Plan& plan, std::size_t cut);
-  void say(simulator::CommandKind kind, std::int32_t argument = 0);
-  void wait(double time_s);
-  Stroke first_stroke(const Scenario& scenario, std::size_t cut) const;
-  std::vector<Stroke> strokes_of(const Scenario& scenario, std::size_t cut) const;
-
   void begin_act() noexcept;
   bool goes_on(double span_s) noexcept;
+  bool leads_on(const Act& act, double span_s) noexcept;
+  bool idles_on(const Act& act, double span_s) noexcept;
   void begin_turn(const Act& act) noexcept;
   bool is_turning() const noexcept;
   bool take_rest() noexcept;
@@ -83,11 +67,10 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   RigidTransform pose() const noexcept;
 
   HandSkill skill_;
-  std::uint64_t seed_;
   RigidTransform world_from_bone_;
   std::vector<AimedCut> cuts_;
   std::vector<Act> acts_;
-  std::size_t next_act_ = 0, cut_at_hand_ = 0;
+  std::size_t next_act_ = 0;
   /// The act at hand.
   bool is_begun_ = false;
 
@@ -106,9 +89,11 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   /// As it was seen last.
   double engaged_mm_ = 0.0;
   double act_s_ = 0.0, turn_s_ = 0.0;
+  /// In all Idle acts so far.
+  double idled_s_ = 0.0;
   /// TakeRest: of the act, when the hand is free for the next piece.
   double free_at_s_ = 0.0;
-  std::int64_t tick_ = -1;
+  std::int64_t tick_ = -1, end_tick_ = last_tick;
   std::array<simulator::Command, simulator::commands_per_tick> queue_{};
   std::size_t queued_ = 0, taken_ = 0;
 };

@@ -138,6 +138,29 @@ Vec3 tilted(const Vec3& normal, const KerfPlane& plane, const AimErrors& errors)
   return transform_direction({rotation_about(axis, errors.angle_rad), {}}, normal);
 }
 
+/// The middle of the planned section, on the finished face.
+Vec3 middle_in_bone_mm(const Target& target, const Sight& planned) {
+  const Vec2 middle = 0.5 * (planned.region.min_mm + planned.region.max_mm);
+  return transform_point(planned.plane.bone_from_kerf, Vec3{middle.x, middle.y, 0.0}) -
+         0.5 * target.kerf_mm * target.cut.face.normal;
+}
+
+/// Largest distance of a face from the plan over the planned section, along the plan's normal.
+double largest_stand_off_mm(const Target& target, const Sight& planned, const ReferenceFace& face) {
+  const Vec3& normal = target.cut.face.normal;
+  double largest_mm = 0.0;
+  for (const simulator::Contour& contour : planned.region.contours) {
+    for (const Vec2& point : contour) {
+      const Vec3 on_plan = transform_point(planned.plane.bone_from_kerf, Vec3{point, 0.0}) -
+                           0.5 * target.kerf_mm * normal;
+      const double stand_off_mm =
+          (face.offset_mm - glm::dot(face.normal, on_plan)) / glm::dot(normal, face.normal);
+      largest_mm = std::max(largest_mm, std::abs(stand_off_mm));
+    }
+  }
+  return largest_mm;
+}
+
 /// Tilts the planned face about the middle of its section, then shifts it until the largest
 /// distance over the section is the drawn location error, or the tilt alone reaches farther.
 void aim_at_plan(const Target& target, const Sight& planned, const AimErrors& errors,
@@ -145,8 +168,7 @@ void aim_at_plan(const Target& target, const Sight& planned, const AimErrors& er
   const PlannedCut& cut = target.cut;
   const RigidTransform& bone_from_plan = planned.plane.bone_from_kerf;
   const Vec2 middle = 0.5 * (planned.region.min_mm + planned.region.max_mm);
-  const Vec3 pivot = transform_point(bone_from_plan, Vec3{middle.x, middle.y, 0.0}) -
-                     0.5 * target.kerf_mm * cut.face.normal;
+  const Vec3 pivot = middle_in_bone_mm(target, planned);
   aimed.face.normal = tilted(cut.face.normal, planned.plane, errors);
   double least_off_mm = 0.0, greatest_off_mm = 0.0;
   for (const simulator::Contour& contour : planned.region.contours) {
@@ -211,15 +233,31 @@ void aim_at_line(const Target& target, const Sight& planned, const FirstCut& fir
   aimed.face.normal = tilted(turned_like(first, cut.face.normal), planned.plane, errors);
   aimed.face.offset_mm = glm::dot(aimed.face.normal, first.line_in_bone_mm) +
                          random.truncated_normal(0.0, skill.meet_deviation_mm, 2.0);
-  for (const simulator::Contour& contour : planned.region.contours) {
-    for (const Vec2& point : contour) {
-      const Vec3 on_plan = transform_point(planned.plane.bone_from_kerf, Vec3{point, 0.0}) -
-                           0.5 * target.kerf_mm * cut.face.normal;
-      const double stand_off_mm = (aimed.face.offset_mm - glm::dot(aimed.face.normal, on_plan)) /
-                                  glm::dot(cut.face.normal, aimed.face.normal);
-      aimed.location_error_mm = std::max(aimed.location_error_mm, std::abs(stand_off_mm));
-    }
-  }
+  aimed.location_error_mm = largest_stand_off_mm(target, planned, aimed.face);
+}
+
+/// Turns and shifts the aimed face on purpose, about the middle of the planned section.
+void add_faults(const Target& target, const Sight& planned, const HandSkill& skill,
+                AimedCut& aimed) {
+  const PlannedCut& cut = target.cut;
+  const auto size_of = [&](FaultKind kind) { return fault_size(skill.faults, kind, cut.name); };
+  aimed.run_on_mm = size_of(FaultKind::OverCut) - size_of(FaultKind::StopShort);
+  const double tilt_rad = radian_from_degree(size_of(FaultKind::Tilt));
+  const double roll_rad = radian_from_degree(size_of(FaultKind::Roll));
+  const double shift_mm = size_of(FaultKind::Offset);
+  if (tilt_rad == 0.0 && roll_rad == 0.0 && shift_mm == 0.0) return;
+  const Vec3& plan_normal = cut.face.normal;
+  const Vec3 pivot = middle_in_bone_mm(target, planned);
+  const double off_pivot_mm = aimed.face.offset_mm - glm::dot(aimed.face.normal, pivot);
+  const Quat tilt = rotation_about(cut.axis, tilt_rad);
+  const Quat roll = rotation_about(glm::cross(plan_normal, cut.axis), roll_rad);
+  aimed.face.normal =
+      transform_direction(RigidTransform{tilt, {}} * RigidTransform{roll, {}}, aimed.face.normal);
+  aimed.face.offset_mm = glm::dot(aimed.face.normal, pivot) + off_pivot_mm +
+                         shift_mm * glm::dot(aimed.face.normal, plan_normal);
+  aimed.angle_error_rad = elementary::atan2(length_of(glm::cross(plan_normal, aimed.face.normal)),
+                                            glm::dot(plan_normal, aimed.face.normal));
+  aimed.location_error_mm = largest_stand_off_mm(target, planned, aimed.face);
 }
 
 /// How far beyond the hinge's line the cuts stop: a second cut follows the end of the first.
@@ -253,7 +291,7 @@ double line_mm(const PlannedHinge& hinge, const HandSkill& skill, const AimedCut
 void plan_stop(const Plan& plan, const HandSkill& skill, const Target& target, AimedCut& aimed) {
   const PlannedHinge* hinge = find_hinge(plan, target.cut.hinge);
   if (hinge == nullptr) return;
-  const double error_mm = stop_error_mm(*hinge, target.cut, skill, target.seed);
+  const double error_mm = stop_error_mm(*hinge, target.cut, skill, target.seed) + aimed.run_on_mm;
   aimed.stop_mm = line_mm(*hinge, skill, aimed) + error_mm;
   aimed.loses_hinge = error_mm >= hinge->bridge.line.thickness_mm;
 }
@@ -280,6 +318,7 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
     } else {
       aim_at_plan(target, planned, errors, aimed);
     }
+    add_faults(target, planned, skill, aimed);
     return look_along(aimed.face, target, known);
   };
   const auto aim_one = [&](std::size_t index) {
@@ -290,9 +329,10 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
     std::optional<Sight> seen;
     for (int times = 0; !seen && times < aims_most; ++times)
       seen = aim_at(aimed_again(target, times), planned, aimed);
-    const Sight met = must_see(std::move(seen), target,
-                               "a hand that errs so far never meets the bone with seed " +
-                                   std::to_string(seed) + "; choose another seed");
+    const Sight met =
+        must_see(std::move(seen), target,
+                 "a hand that errs so far never meets the bone with seed " + std::to_string(seed) +
+                     "; choose another seed" + (skill.faults.empty() ? "" : ", or smaller faults"));
     aimed.plane = met.plane;
     aimed.region = met.region;
     plan_stop(plan, skill, target, aimed);

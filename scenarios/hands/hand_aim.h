@@ -24,8 +24,8 @@ struct KnownBone {
 struct AimedCut {
   /// The face it aims at.
   ReferenceFace face;
-  /// From the plan; of a second cut to a hinge, from where the planned wedge lies against the first
-  /// face aimed at.
+  /// From the plan; of a second cut to a hinge without a fault of its own, from where the planned
+  /// wedge lies against the first face aimed at.
   double angle_error_rad = 0.0;
   /// Largest distance from the plan over the planned section.
   double location_error_mm = 0.0;
@@ -35,6 +35,8 @@ struct AimedCut {
   simulator::SectionRegion region;
   /// Feed at which it means to stop; none: through the bone.
   std::optional<double> stop_mm;
+  /// By which it goes farther than it would, on purpose; below 0: by which it stops before.
+  double run_on_mm = 0.0;
   /// It means to stop where no bone is left of the hinge.
   bool loses_hinge = false;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "scenarios/scenario_error.h"
 
@@ -72,6 +73,13 @@ HandSkill hand_skill(std::string_view name) {
   if (name == "perfect") return perfect_hand();
   throw ScenarioError("there is no hand \"" + std::string(name) +
                       "\"; use expert, novice, perfect, or a file with a motion");
+}
+
+HandSkill with_faults(HandSkill skill, std::vector<HandFault> faults) {
+  skill.push.extra_newton = fault_size(faults, FaultKind::Press);
+  skill.cooling.has_water = !has_fault(faults, FaultKind::Dry);
+  skill.faults = std::move(faults);
+  return skill;
 }
 
 }  // namespace hallux::scenarios

@@ -4,6 +4,9 @@
 
 #include <array>
 #include <string_view>
+#include <vector>
+
+#include "scenarios/hands/hand_fault.h"
 
 namespace hallux::scenarios {
 
@@ -15,6 +18,8 @@ struct Push {
   double exit_mm = 1.5;
   /// Of teeth that it sees in bone: a corner is not forced.
   double most_newton_per_mm = 1.3;
+  /// On top of all that, on purpose.
+  double extra_newton = 0.0;
   /// Deviation of the push from what it means, as a share.
   double unevenness = 0.05;
   /// By which it pushes harder where it sees no progress.
@@ -41,6 +46,7 @@ struct Perception {
 
 /// How a hand keeps bone cool.
 struct Cooling {
+  bool has_water = true;
   /// How often it saws without, 0 to 1.
   double forgets_water = 0.0;
   /// Mean time until it notices that.
@@ -79,11 +85,15 @@ struct HandSkill {
   double meet_deviation_mm = 0.2;
   /// A second cut and its end are those of the plan, not measured off from the first cut.
   bool keeps_to_plan = false;
+  /// What it does wrong on purpose.
+  std::vector<HandFault> faults = {};
 };
 
 inline constexpr std::array<std::string_view, 3> hand_names{"expert", "novice", "perfect"};
 bool is_hand_name(std::string_view name) noexcept;
 /// errors  ScenarioError naming the hands there are
 HandSkill hand_skill(std::string_view name);
+/// The skill that does these wrong as well.
+HandSkill with_faults(HandSkill skill, std::vector<HandFault> faults);
 
 }  // namespace hallux::scenarios

@@ -2,6 +2,7 @@
 /// outwards, through the bone or down to a line in it. Inside this corner only.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "simulator/cutting/slice/section.h"
@@ -19,6 +20,8 @@ struct Stroke {
   /// Feed to which the hand goes: beyond the last bone where it saws through.
   double end_mm = 0.0;
   bool stops_in_bone = false;
+  /// How often the blade is drawn wholly out of the kerf and enters it again, on purpose.
+  std::int32_t restarts = 0;
 };
 
 struct StrokeLayout {

@@ -32,12 +32,13 @@ constexpr double doubt_times_eye = 1.5, doubt_deviations = 2.0;
 
 }  // namespace
 
-StrokeWork::StrokeWork(const HandSkill& skill, std::uint64_t seed) noexcept
+StrokeWork::StrokeWork(const HandSkill& skill, std::uint64_t seed)
     : skill_(skill), water_(seed, "hand.water"), wanted_(skill.push, Random(seed, "hand.push")) {}
 
 void StrokeWork::begin(const Stroke& stroke) noexcept {
   stroke_ = stroke;
   stroke_s_ = still_s_ = unseen_s_ = 0.0;
+  restarts_left_ = stroke.restarts;
   enter(Phase::Reach);
 }
 
@@ -83,6 +84,11 @@ void StrokeWork::go_on(Handle& handle, const HandSenses& senses, double felt_new
       if (handle.feed_mm > to_mm && !goes_to(handle, to_mm, skill_.approach_mm_s, span_s)) return;
       return enter(phase_ == Phase::Clear ? Phase::Return : Phase::Seek);
     }
+    case Phase::Leave:
+      if (goes_to(handle, stroke_.first_mm - hover_mm, skill_.approach_mm_s, span_s)) {
+        enter(Phase::Return);
+      }
+      return;
     case Phase::Return: {
       const double to_mm = turned_at_mm_ - before_teeth_mm;
       if (handle.feed_mm < to_mm && !goes_to(handle, to_mm, skill_.approach_mm_s, span_s)) return;
@@ -120,7 +126,7 @@ void StrokeWork::reach(Handle& handle, double span_s) noexcept {
 void StrokeWork::mind_water(Handle& handle, double span_s) noexcept {
   if (!handle.saw_runs || handle.irrigates) return;
   if (phase_ == Phase::Push || phase_ == Phase::Look) dry_s_ -= span_s;
-  handle.irrigates = dry_s_ <= 0.0;
+  handle.irrigates = skill_.cooling.has_water && dry_s_ <= 0.0;
 }
 
 void StrokeWork::seek(Handle& handle, const HandSenses& senses, double span_s) noexcept {
@@ -144,8 +150,8 @@ void StrokeWork::lead(Handle& handle, double meant_newton, const HandSenses& sen
 double StrokeWork::meant_newton(const Sensed& noticed) const noexcept {
   const Push& push = skill_.push;
   const bool is_near_exit = noticed.feed_mm > stroke_.last_mm - push.exit_mm;
-  return std::min(is_near_exit ? push.exit_newton : push.steady_newton,
-                  push.most_newton_per_mm * noticed.engaged_mm);
+  return push.extra_newton + std::min(is_near_exit ? push.exit_newton : push.steady_newton,
+                                      push.most_newton_per_mm * noticed.engaged_mm);
 }
 
 void StrokeWork::push(Handle& handle, const HandSenses& senses, double felt_newton,
@@ -188,6 +194,12 @@ void StrokeWork::decide_while_pushing(const HandSenses& senses) noexcept {
       level_newton_ > given_newton && noticed.push_newton < given_share * level_newton_;
   if (gave_way || feels_nothing(senses)) return enter(Phase::GiveBack);
   const bool is_deep = noticed.feed_mm > stroke_.first_mm + 2.0 * least_in_bone_mm;
+  if (is_deep && restarts_left_ > 0) {
+    --restarts_left_;
+    // Each time it begins anew, with all its patience.
+    stroke_s_ = 0.0;
+    return enter(Phase::Leave);
+  }
   if (is_deep && (burst_s_ > skill_.cooling.burst_s || still_s_ > still_limit_s)) {
     still_s_ = 0.0;
     return enter(Phase::Clear);

@@ -5,6 +5,7 @@
 ///                        ^                   |
 ///                        |-- GiveBack <------| push fell off, or nothing is there: bone gave way
 ///                        |-- Return <- Clear <| sawed long enough, or nothing moves
+///                        |-- Return <- Leave <| draws the blade out on purpose
 ///                                      Look <-> in doubt how deep it is
 #pragma once
 
@@ -27,7 +28,7 @@ inline constexpr double hover_mm = 15.0;
 
 class StrokeWork {
  public:
-  StrokeWork(const HandSkill& skill, std::uint64_t seed) noexcept;
+  StrokeWork(const HandSkill& skill, std::uint64_t seed);
 
   void begin(const Stroke& stroke) noexcept;
   /// Moves the handle on by a span. `felt_newton` is the push that it gives at this moment.
@@ -46,6 +47,7 @@ class StrokeWork {
     Look,
     GiveBack,
     Clear,
+    Leave,
     Return,
     LetGo,
     Rest,
@@ -86,6 +88,7 @@ class StrokeWork {
   double dry_s_ = 0.0;
   /// The push that it is used to.
   double level_newton_ = 0.0;
+  std::int32_t restarts_left_ = 0;
   /// Where it saw the teeth when it drew the blade back.
   double turned_at_mm_ = 0.0;
 };

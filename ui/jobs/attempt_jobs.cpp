@@ -40,7 +40,7 @@ database::NewAttempt describe(database::Database& database, const ScriptedAttemp
   database::NewAttempt begun;
   begun.scenario = put_scenario_version(
       database, {scenario.name, scenario.version, scenario.text, scenario.claims_review});
-  begun.hand = attempt.hand;
+  begun.hand = scenarios::hand_with_faults(attempt.hand, attempt.faults);
   begun.seed = attempt.seed;
   begun.guidance = attempt.guidance;
   begun.device_class = device.device_class;
@@ -73,8 +73,9 @@ std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt
     return std::make_unique<simulator::ScriptedDevice>(*attempt.motion);
   }
   auto hand = std::make_unique<scenarios::FeelingHand>(
-      attempt.scenario, bone, plan, scenarios::hand_skill(attempt.hand), attempt.seed);
-  setup.last_tick = scenarios::FeelingHand::last_tick;
+      attempt.scenario, bone, plan,
+      scenarios::with_faults(scenarios::hand_skill(attempt.hand), attempt.faults), attempt.seed);
+  setup.last_tick = hand->end_tick();
   setup.attempt_operator = hand.get();
   return hand;
 }

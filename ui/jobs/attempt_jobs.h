@@ -7,11 +7,13 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "assessment/assess.h"
 #include "database/desks/desks.h"
 #include "database/recording/recorder.h"
 #include "database/records/attempt.h"
+#include "scenarios/hands/hand_fault.h"
 #include "scenarios/plan.h"
 #include "simulator/base/progress.h"
 #include "simulator/loop/attempt_loop.h"
@@ -37,6 +39,8 @@ struct ScriptedAttempt {
   scenarios::Scenario scenario;
   /// One of hand_names, or what a file is called in the record.
   std::string hand = "expert";
+  /// Done wrong on purpose by a hand that has a name.
+  std::vector<scenarios::HandFault> faults;
   /// From a file; else made for the hand and seed.
   std::optional<simulator::HandMotion> motion;
   std::uint64_t seed = 1;

@@ -42,7 +42,7 @@ MadeAttempt make_attempt(const ScriptedAttempt& attempt, const StageProgress& pr
   database::AttemptHeader& header = made.material.header;
   header.scenario_name = attempt.scenario.name;
   header.scenario_version = attempt.scenario.version;
-  header.begun.hand = attempt.hand;
+  header.begun.hand = scenarios::hand_with_faults(attempt.hand, attempt.faults);
   header.begun.seed = attempt.seed;
   header.begun.guidance = attempt.guidance;
   header.state = database::AttemptState::Closed;

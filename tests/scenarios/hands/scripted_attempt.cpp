@@ -15,7 +15,7 @@ constexpr std::size_t ring_capacity = 32768;
 ScriptedAttempt run_hand(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                          const scenarios::Plan& plan, scenarios::FeelingHand& hand) {
   simulator::AttemptSetup setup{simulation_setup(scenario, bone, plan, simulator::Guidance::None)};
-  setup.last_tick = scenarios::FeelingHand::last_tick;
+  setup.last_tick = hand.end_tick();
   setup.attempt_operator = &hand;
   simulator::AttemptChannels channels(ring_capacity);
   ScriptedAttempt attempt;

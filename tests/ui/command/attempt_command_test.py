@@ -203,6 +203,34 @@ class FreshDirectory(CommandTest):
         self.assertEqual(self.ask("verify")["assets"], 1, "the same bone is stored once")
         self.assertEqual(*(self.ask("replay", answer["attempt"])["bone_hash"] for answer in (first, again)))
 
+    def test_faults_are_named_in_answer_and_record(self):
+        scenario = self.write("coarse.json", coarse_silver())
+        plain = self.ask("attempt", scenario, "--hand", "perfect")
+        self.assertEqual((plain["hand"], plain["faults"]), ("perfect", []))
+        faulty = self.ask("attempt", scenario, "--hand", "perfect", "--fault", "tilt:eminence=6", "--fault", "dry")
+        self.assertEqual(faulty["hand"], "perfect with tilt:eminence=6, dry")
+        self.assertEqual(faulty["faults"], ["tilt:eminence=6", "dry"])
+        self.assertLess(faulty["score"], plain["score"])
+        self.assertEqual([row["hand"] for row in self.ask("attempts")], [faulty["hand"], "perfect"])
+        self.assertIs(self.ask("replay", faulty["attempt"])["identical"], True)
+
+    def test_a_fault_that_there_is_not_is_refused_with_those_there_are(self):
+        for fault, words in (("wobble", ["tilt[:CUT]", "over_cut", "skip:STEP", "touch_zone:ZONE"]),
+                             ("tilt:proximal_face", ["silver", "eminence"]), ("tilt=steep", ["-45 to 45", "degrees"]),
+                             ("press=200", ["0 to 20"]), ("skip", ["verify", "remove"]), ("skip:close", ["verify", "remove"]),
+                             ("touch_zone", ["tibial_sesamoid_cartilage"]), ("swap", ["two"]), ("dry=3", ["dry"])):
+            with self.subTest(fault=fault):
+                self.expect_refusal(BAD_INPUT, [fault, *words], "attempt", "silver", "--hand", "perfect", "--fault", fault)
+        self.assertFalse(self.data.exists(), "and nothing was begun")
+
+    def test_a_fault_of_no_hand_with_a_name_is_wrong_usage(self):
+        hand = self.write("still.json", NO_MOTION)
+        for wrong in (("--hand", hand, "--fault", "dry"), ("--device", "falcon", "--seconds", "1", "--fault", "dry")):
+            answer = self.hallux("attempt", "silver", *wrong)
+            self.assertEqual(answer.code, WRONG_USAGE, wrong)
+            self.assertIn("--fault", answer.err)
+        self.assertFalse(self.data.exists())
+
     def test_an_attempt_that_cuts_nothing_scores_nothing_and_is_kept(self):
         scenario, hand = self.write("coarse.json", coarse_silver()), self.write("idle.json", NO_MOTION)
         answer = self.ask("attempt", scenario, "--hand", hand)

@@ -39,6 +39,7 @@ constexpr std::size_t hand_mebibytes_max = 16;
 struct AttemptOptions {
   std::string scenario, hand = "expert", pacing = "virtual", guidance = "none";
   std::string device = "scripted", force_law = "simulated";
+  std::vector<std::string> faults;
   std::uint64_t seed = 1;
   /// Of somebody's hand on a device.
   double seconds = 0.0;
@@ -71,6 +72,16 @@ void check_device(const AttemptOptions& options) {
   }
 }
 
+/// errors  VerbError: WrongUsage where no hand with a name would do them
+void check_faults(const AttemptOptions& options) {
+  if (options.faults.empty()) return;
+  if (!scenarios::is_hand_name(options.hand) || is_plugged(options)) {
+    throw VerbError(ExitCode::WrongUsage,
+                    "--fault is of a hand that carries out the plan: give --hand expert, novice or "
+                    "perfect, and no other --device");
+  }
+}
+
 /// How a hand's file is named in the record: without the folders it lay in, and by its content.
 /// errors  ScenarioError
 std::string kept_name_of(const std::filesystem::path& file, std::string_view content) {
@@ -97,6 +108,7 @@ std::string fault_in_seed(const std::string& text) {
 /// A hand that is none of the names is a file with a motion.
 ScriptedAttempt attempt_from(const AttemptOptions& options) {
   check_device(options);
+  check_faults(options);
   ScriptedAttempt attempt;
   attempt.scenario = load_scenario(options.scenario);
   attempt.hand = options.hand;
@@ -106,6 +118,7 @@ ScriptedAttempt attempt_from(const AttemptOptions& options) {
   attempt.guidance =
       database::named<simulator::Guidance>(options.guidance).value_or(simulator::Guidance::None);
   if (options.device == "arm") attempt.arm_law = force_law_from(options.force_law);
+  attempt.faults = scenarios::parse_hand_faults(options.faults, attempt.scenario);
   if (scenarios::is_hand_name(options.hand)) return attempt;
   const std::string text =
       read_small_file(options.hand, hand_mebibytes_max,
@@ -118,8 +131,12 @@ ScriptedAttempt attempt_from(const AttemptOptions& options) {
 ordered_json outcome_json(const ScriptedAttempt& attempt, const AttemptOutcome& outcome) {
   ordered_json answer = {{"attempt", outcome.attempt.text},
                          {"scenario", attempt.scenario.name},
-                         {"hand", attempt.hand},
+                         {"hand", scenarios::hand_with_faults(attempt.hand, attempt.faults)},
+                         {"faults", ordered_json::array()},
                          {"seed", attempt.seed}};
+  for (const scenarios::HandFault& fault : attempt.faults) {
+    answer["faults"].push_back(scenarios::text_of(fault));
+  }
   answer.update(card_summary_json(outcome.card, false));
   answer["samples"] = outcome.recorder.samples;
   answer["duration_s"] = second_from_tick(outcome.loop.ticks);
@@ -271,6 +288,12 @@ void add_attempt_verbs(CLI::App& app, VerbContext& context) {
       ->add_option("--hand", options->hand,
                    "expert, novice, perfect (without any error), or a file with a motion")
       ->capture_default_str();
+  attempt
+      ->add_option("--fault", options->faults,
+                   "what the hand does wrong on purpose: NAME[:SUBJECT][=SIZE], may be repeated; "
+                   "an unknown name lists them all")
+      ->type_name("FAULT")
+      ->allow_extra_args(false);
   attempt->add_option("--seed", options->seed, "seed of the hand's errors")
       ->check(fault_in_seed)
       ->capture_default_str();
