@@ -208,7 +208,8 @@ struct JointSurface {
 
 /// A performance that proves the rubric: the perfect hand with one fault, and what that must cost.
 struct ProofFault {
-  /// As `hallux attempt --fault` takes it: "tilt:proximal_face=8".
+  /// As `hallux attempt --fault` takes it: "tilt:proximal_face=8"; several, with spaces between,
+  /// are one performance.
   std::string fault;
   /// Ids of rubric items that lose at least half of their points.
   std::vector<std::string> items;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "scenarios/site/planned_passes.h"
+
 namespace hallux::assessment {
 
 namespace {
@@ -11,10 +13,6 @@ namespace {
 using simulator::ToolSample;
 
 constexpr double away_mm = 3.0;
-/// A section that is hardly wider than a blade needs no other stroke: the edges of its outline are
-/// found by grids.
-constexpr double spare_mm = 0.1;
-
 Vec3 place_of(const ToolSample& sample) noexcept {
   return transform_from(sample.world_from_tool).translation_mm;
 }
@@ -43,7 +41,7 @@ std::vector<Entry> entries_of(const simulator::Recording& recording) {
   return entries;
 }
 
-/// One for each blade's width of the section that the kerf's blade touched.
+/// The passes that the section needs which the kerf's blade touched.
 std::int64_t needed_in(const RebuiltKerf& kerf, double width_mm) {
   double low_mm = INFINITY, high_mm = -INFINITY;
   for (std::size_t index = 0; index < kerf.section.regions.size(); ++index) {
@@ -51,9 +49,7 @@ std::int64_t needed_in(const RebuiltKerf& kerf, double width_mm) {
     low_mm = std::min(low_mm, kerf.section.regions[index].min_mm.y);
     high_mm = std::max(high_mm, kerf.section.regions[index].max_mm.y);
   }
-  if (!(high_mm > low_mm)) return 1;
-  const double widths = std::ceil((high_mm - low_mm - spare_mm) / width_mm);
-  return std::max<std::int64_t>(1, static_cast<std::int64_t>(widths));
+  return high_mm > low_mm ? scenarios::passes_needed(high_mm - low_mm, width_mm) : 1;
 }
 
 /// Of the face that counts; none where the cut was not made.

@@ -11,6 +11,9 @@ namespace hallux::scenarios {
 
 namespace {
 
+/// How far in front of the bone a blade is that was drawn out and goes in again.
+constexpr double left_bone_mm = 6.0;
+
 constexpr double settle_mm = 2.0;  ///< in front of the bone before sawing
 /// Through air and open slots a hand does not rush.
 constexpr double seek_mm_s = 3.0;
@@ -85,7 +88,7 @@ void StrokeWork::go_on(Handle& handle, const HandSenses& senses, double felt_new
       return enter(phase_ == Phase::Clear ? Phase::Return : Phase::Seek);
     }
     case Phase::Leave:
-      if (goes_to(handle, stroke_.first_mm - hover_mm, skill_.approach_mm_s, span_s)) {
+      if (goes_to(handle, stroke_.first_mm - left_bone_mm, skill_.approach_mm_s, span_s)) {
         enter(Phase::Return);
       }
       return;

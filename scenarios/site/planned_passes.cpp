@@ -68,10 +68,9 @@ Extent extent_of(const Section& section, const std::optional<PlannedWindow>& win
 
 std::vector<double> middles_of(const Extent& extent, double width_mm) {
   const double from_mm = extent.low_mm - pass_overlap_mm, to_mm = extent.high_mm + pass_overlap_mm;
-  const double step_mm = std::max(0.5 * width_mm, width_mm - pass_overlap_mm);
   const double beyond_mm = to_mm - from_mm - width_mm;
   if (beyond_mm <= 0.0) return {0.5 * (from_mm + to_mm)};
-  const auto more = static_cast<int>(std::ceil(beyond_mm / step_mm));
+  const int more = passes_needed(extent.high_mm - extent.low_mm, width_mm) - 1;
   std::vector<double> middles;
   for (int pass = 0; pass <= more; ++pass)
     middles.push_back(from_mm + 0.5 * width_mm + beyond_mm * pass / more);
@@ -79,6 +78,12 @@ std::vector<double> middles_of(const Extent& extent, double width_mm) {
 }
 
 }  // namespace
+
+int passes_needed(double extent_mm, double width_mm) noexcept {
+  const double step_mm = std::max(0.5 * width_mm, width_mm - pass_overlap_mm);
+  const double beyond_mm = extent_mm + 2.0 * pass_overlap_mm - width_mm;
+  return beyond_mm <= 0.0 ? 1 : 1 + static_cast<int>(std::ceil(beyond_mm / step_mm));
+}
 
 PlannedPasses planned_passes(const Scenario& scenario, const Plan& plan, std::size_t cut,
                              const simulator::CutSolid& whole, const simulator::Bvh& bvh) {

@@ -26,6 +26,10 @@ struct PlannedPasses {
 /// Neighbours lie in each other by this, and the outer ones reach as far beyond the bone.
 inline constexpr double pass_overlap_mm = 1.0;
 
+/// How many passes a section needs that reaches so far along the teeth.
+/// needs   width_mm > 0
+int passes_needed(double extent_mm, double width_mm) noexcept;
+
 /// needs   the plan is the scenario's on the bone of `whole`, uncut, with its tree
 /// thread  any; milliseconds
 PlannedPasses planned_passes(const Scenario& scenario, const Plan& plan, std::size_t cut,

@@ -1,7 +1,10 @@
 #include "ui/jobs/prove_scenario.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <iterator>
 #include <set>
+#include <sstream>
 
 #include "assessment/number_text.h"
 #include "scenarios/hands/hand_fault.h"
@@ -19,8 +22,15 @@ using scenarios::ProofFault;
 using scenarios::Rubric;
 using scenarios::RubricItem;
 
-/// Of its weight, what a group may lose that a fault is not about.
+/// Of its weight, what a group may lose or gain that a fault is not about: the hand goes another
+/// way.
 constexpr std::int64_t spared_percent = 5;
+
+/// "offset:one=2 offset:other=2": several are one performance.
+std::vector<std::string> faults_in(const std::string& text) {
+  std::istringstream words(text);
+  return {std::istream_iterator<std::string>(words), {}};
+}
 
 ScoreCard card_of(const scenarios::Scenario& scenario, const std::vector<std::string>& faults,
                   const StageProgress& progress) {
@@ -93,12 +103,23 @@ void check_gates(ProvedPerformance& performance, const ProofFault& fault, const 
   }
 }
 
-/// Groups in which the fault is to cost something may lose what they lose.
-void check_spared_groups(ProvedPerformance& performance, const ProofFault& fault,
-                         const Rubric& rubric, const ScoreCard& perfect, const ScoreCard& card) {
+/// The groups in which the fault is to cost something: those of its items, and of the items that
+/// ask what its gates ask.
+std::set<std::string> groups_meant(const ProofFault& fault, const Rubric& rubric) {
   std::set<std::string> meant;
   for (const std::string& id : fault.items)
     meant.insert(std::ranges::find(rubric.items, id, &RubricItem::id)->group);
+  for (const std::string& name : fault.gates) {
+    const auto gate = std::ranges::find(rubric.gates, name, &scenarios::Gate::name);
+    for (const RubricItem& item : rubric.items)
+      if (item.metric == gate->metric) meant.insert(item.group);
+  }
+  return meant;
+}
+
+void check_spared_groups(ProvedPerformance& performance, const ProofFault& fault,
+                         const Rubric& rubric, const ScoreCard& perfect, const ScoreCard& card) {
+  const std::set<std::string> meant = groups_meant(fault, rubric);
   for (const scenarios::RubricGroup& group : rubric.groups) {
     if (meant.contains(group.name)) continue;
     std::int64_t more_milli = 0;
@@ -106,21 +127,11 @@ void check_spared_groups(ProvedPerformance& performance, const ProofFault& fault
       if (item.group == group.name)
         more_milli += lost_milli(card, item.id) - lost_milli(perfect, item.id);
     }
-    if (100 * more_milli <= spared_percent * group.weight_milli) continue;
+    if (100 * std::abs(more_milli) <= spared_percent * group.weight_milli) continue;
     performance.differences.push_back(
-        "The group " + group.name + " loses " + points_text(more_milli) + " of " +
-        points_text(group.weight_milli) + " rubric points, and the fault is not about it.");
-  }
-}
-
-void check_gains(ProvedPerformance& performance, const Rubric& rubric, const ScoreCard& perfect,
-                 const ScoreCard& card) {
-  for (const RubricItem& item : rubric.items) {
-    const std::int64_t gain_milli = lost_milli(perfect, item.id) - lost_milli(card, item.id);
-    if (gain_milli > 0) {
-      performance.differences.push_back(item.id + " gains " + points_text(gain_milli) +
-                                        " rubric points by the fault.");
-    }
+        "The group " + group.name + (more_milli > 0 ? " loses " : " gains ") +
+        points_text(std::abs(more_milli)) + " of " + points_text(group.weight_milli) +
+        " rubric points, and the fault is not about it.");
   }
   if (card.score_milli > perfect.score_milli)
     performance.differences.push_back("The score rises by the fault.");
@@ -141,21 +152,20 @@ bool ScenarioProof::has_passed() const noexcept {
 ScenarioProof prove_scenario(const scenarios::Scenario& scenario, const StageProgress& progress) {
   // A fault that is none is refused before the long work.
   for (const ProofFault& fault : scenario.proof)
-    scenarios::parse_hand_faults(std::vector{fault.fault}, scenario);
+    scenarios::parse_hand_faults(faults_in(fault.fault), scenario);
   const ScoreCard perfect = card_of(scenario, {}, stages_of(progress, "perfect"));
   ScenarioProof proof;
   proof.perfect = performance_of("perfect", perfect);
   check_perfect(proof.perfect);
   for (const ProofFault& fault : scenario.proof) {
-    const ScoreCard card = card_of(scenario, {fault.fault}, stages_of(progress, fault.fault));
+    const ScoreCard card =
+        card_of(scenario, faults_in(fault.fault), stages_of(progress, fault.fault));
     ProvedPerformance performance = performance_of(fault.fault, card);
     performance.expected = fault.items;
-    performance.expected.insert(performance.expected.end(), fault.gates.begin(),
-                                fault.gates.end());
+    performance.expected.insert(performance.expected.end(), fault.gates.begin(), fault.gates.end());
     check_items(performance, fault, scenario.rubric, card);
     check_gates(performance, fault, card);
     check_spared_groups(performance, fault, scenario.rubric, perfect, card);
-    check_gains(performance, scenario.rubric, perfect, card);
     proof.faults.push_back(std::move(performance));
   }
   return proof;

@@ -44,8 +44,8 @@ struct ScenarioProof {
 };
 
 /// The perfect hand scores at least 97 and has a sentence for each point that it loses. Each fault
-/// costs its items at least half of their points, triggers its gates and no others, costs no other
-/// group more than 5 % of its weight, and nothing gains by it.
+/// costs its items at least half of their points and triggers its gates and no others; no other
+/// group loses or gains more than 5 % of its weight, and the score never rises.
 /// errors  ScenarioError where a fault is none, or the scenario does not fit its patient; Cancelled
 /// thread  work's; some seconds for each performance
 ScenarioProof prove_scenario(const scenarios::Scenario& scenario, const StageProgress& progress);
