@@ -177,7 +177,17 @@ void explain_line(LedgerLine& line, const ShownLine& shown, const Scenario& scen
 struct Loss {
   std::int64_t lost_milli = 0;
   std::string text;
+  /// How much sooner it is told than another that lost as much: a gate, then safety.
+  std::int64_t severity = 1;
+
+  std::int64_t urgency() const noexcept { return lost_milli * severity; }
 };
+
+std::int64_t severity_of(const LedgerLine& line) noexcept {
+  constexpr std::int64_t of_gate = 3, of_safety = 2;
+  if (line.kind == LedgerKind::Gate) return of_gate;
+  return line.group == "safety" ? of_safety : 1;
+}
 
 /// A cut that was left unfinished, or not made at all, with what its lines lost together.
 struct UnfinishedCut {
@@ -284,11 +294,11 @@ void choose_sentences(ScoreCard& card, const ShownPoints& shown, const Scenario&
   for (std::size_t index = 0; index < card.ledger.size(); ++index) {
     const LedgerLine& line = card.ledger[index];
     if (!unfinished.take({line, shown.lines[index]}))
-      losses.push_back({line.points_lost_milli, line.text});
+      losses.push_back({line.points_lost_milli, line.text, severity_of(line)});
   }
   unfinished.add_to(losses);
   std::stable_sort(losses.begin(), losses.end(),
-                   [](const Loss& a, const Loss& b) { return a.lost_milli > b.lost_milli; });
+                   [](const Loss& a, const Loss& b) { return a.urgency() > b.urgency(); });
   for (const Loss& loss : losses) {
     if (loss.lost_milli == 0 || card.sentences.size() == sentence_limit) break;
     card.sentences.push_back(loss.text);

@@ -10,8 +10,8 @@
 
 namespace hallux::assessment {
 
-/// Fills the texts of ledger lines and gates, and the sentences: the greatest losses first, three
-/// at most.
+/// Fills the texts of ledger lines and gates, and the sentences: the greatest losses first, those
+/// of gates and of safety sooner, three at most.
 /// needs   the card was balanced from this scenario's rubric and these measurements
 void explain(database::ScoreCard& card, const scenarios::Scenario& scenario,
              std::span<const Measurement> measurements);

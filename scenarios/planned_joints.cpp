@@ -25,7 +25,7 @@ PlannedJointSurface plan_surface(const JointSurface& surface, const simulator::B
   const IndexedMesh& outer = bone.outer;
   const Vec3 centre_mm =
       landmark_of(bone, surface.around, path + ".around") + surface.offset_in_bone_mm;
-  PlannedJointSurface planned{surface.name, surface.title, {}};
+  PlannedJointSurface planned{surface.name, surface.title, centre_mm, {}};
   for (std::uint32_t index = 0; index < outer.triangles.size(); ++index) {
     if (is_of_surface(simulator::corners_of(outer, index), centre_mm, surface))
       planned.triangles.push_back(index);

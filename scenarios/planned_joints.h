@@ -12,6 +12,7 @@ namespace hallux::scenarios {
 
 struct PlannedJointSurface {
   std::string name, title;
+  Vec3 centre_in_bone_mm{0.0, 0.0, 0.0};
   /// Of the bone's outer surface, ascending.
   std::vector<std::uint32_t> triangles;
 };

@@ -73,6 +73,15 @@ ordered_json zone_json(const scenarios::PlannedZone& zone, const std::string& se
           {"radius_mm", zone.capsule.radius_mm}};
 }
 
+ordered_json joint_json(const scenarios::PlannedJointSurface& planned,
+                        const scenarios::JointSurface& surface) {
+  return {{"name", planned.name},
+          {"centre_in_bone_mm", vector_json(planned.centre_in_bone_mm)},
+          {"radius_mm", surface.radius_mm},
+          {"facing_in_bone", vector_json(surface.facing_in_bone)},
+          {"within_deg", degree_from_radian(surface.within_rad)}};
+}
+
 /// Row by row; a point of the bone is a column of four, the last of them 1.
 ordered_json matrix_json(const RigidTransform& transform) {
   const Vec3 x = axis_x(transform), y = axis_y(transform), z = axis_z(transform);
@@ -94,7 +103,7 @@ ordered_json blade_json(const simulator::Blade& blade) {
 
 std::string plan_file(const Scenario& scenario, const simulator::Bone& bone, const Plan& plan) {
   // A plan's parts stand in the order of the scenario's.
-  ordered_json cuts = ordered_json::array(), hinges = cuts, zones = cuts;
+  ordered_json cuts = ordered_json::array(), hinges = cuts, zones = cuts, joints = cuts;
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
     cuts.push_back(cut_json(plan.cuts[i], scenario.cuts[i].title));
   }
@@ -104,6 +113,9 @@ std::string plan_file(const Scenario& scenario, const simulator::Bone& bone, con
   for (std::size_t i = 0; i < plan.danger_zones.size(); ++i) {
     zones.push_back(zone_json(plan.danger_zones[i], scenario.danger_zones[i].severity));
   }
+  for (std::size_t i = 0; i < plan.joint_surfaces.size(); ++i) {
+    joints.push_back(joint_json(plan.joint_surfaces[i], scenario.joint_surfaces[i]));
+  }
   const ordered_json json{{"format", plan_file_format},
                           {"scenario", scenario.name},
                           {"scenario_version", scenario.version},
@@ -112,6 +124,7 @@ std::string plan_file(const Scenario& scenario, const simulator::Bone& bone, con
                           {"cuts", std::move(cuts)},
                           {"hinges", std::move(hinges)},
                           {"danger_zones", std::move(zones)},
+                          {"joint_surfaces", std::move(joints)},
                           {"world_from_bone", matrix_json(bone.world_from_bone)},
                           {"blade", blade_json(scenario.saw.blade)}};
   // The names of a bone from elsewhere may be no UTF-8.

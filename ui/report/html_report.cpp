@@ -2,11 +2,13 @@
 // forbids all else. It is put together from strings in the order in which it is read; titles,
 // sentences and facts pass `escaped` on their way in.
 #include "ui/report/html_report.h"
+#include "scenarios/metric_advice.h"
 
 #include <span>
 
 #include "assessment/number_text.h"
 #include "assessment/shown_points.h"
+#include "scenarios/metric_advice.h"
 #include "simulator/base/embedded.h"
 #include "ui/report/effects_text.h"
 #include "ui/report/face_svg.h"
@@ -74,7 +76,11 @@ std::string score_html(const ReportMaterial& material) {
   if (material.card.sentences.empty()) return html;
   html += "<section><h2>What cost the most</h2><ol class=\"sentences\">";
   for (const std::string& sentence : material.card.sentences) {
-    html += "<li>" + escaped(sentence) + "</li>";
+    html += "<li>" + escaped(sentence);
+    for (const database::LedgerLine& line : material.card.ledger) {
+      if (line.text == sentence) html += " " + escaped(scenarios::advice_text(line.metric));
+    }
+    html += "</li>";
   }
   return html + "</ol></section>";
 }

@@ -75,6 +75,12 @@ class Demo(CommandTest):
         kept = self.as_("trainee-1", "attempts")[0]
         self.assertEqual(again["score"], kept["score"], "the score that the demo kept follows from its recording")
 
+    def test_every_score_is_whole_and_somebody_passes(self):
+        results = [row["result"] for login in INSTRUCTORS for row in self.as_(login, "attempts") if row["result"]]
+        self.assertEqual({result["measured_weight"] for result in results}, {100.0})
+        self.assertTrue(any(result["passed"] for result in results))
+        self.assertTrue(any(not result["passed"] for result in results))
+
     def test_a_trainee_sees_their_own_and_an_instructor_their_cohort(self):
         self.assertEqual([row["person"] for row in self.as_("trainee-2", "attempts")], ["trainee-2"])
         of_first = {row["person"] for row in self.as_("instructor-1", "attempts")}

@@ -34,6 +34,7 @@ LINES = {
     "attempts": [["attempts"]],
     "replay": [["replay", "{attempt}"]],
     "score": [["score", "{attempt}"]],
+    "what-if": [["what-if", "{attempt}"], ["what-if", "{attempt}", "--change", "time_s=60"]],
     "report": [["report", "{attempt}", "-o", "{out}"]],
     "verify": [["verify"]],
     "anchor": [["anchor"]],
@@ -57,7 +58,7 @@ LINES = {
     "restore": [["restore", "{out}"]],
 }
 #: Verbs that open no database of people, or none that is there.
-WITHOUT_PEOPLE = {"attempt", "cut", "scenario", "demo", "foot", "devices"}
+WITHOUT_PEOPLE = {"attempt", "cut", "scenario", "metrics", "demo", "foot", "devices"}
 #: Where the line itself names the login, the sentence may say it back.
 SAID_BY_THE_LINE = {"user passwd": {"canary-login-eve"}, "user rename": {"canary-login-eve"},
                     "user disable": {"canary-login-eve"},

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "assessment/pass_mark.h"
+#include "scenarios/metric_advice.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/times/local_time.h"
 #include "ui/widgets/charts/timeline.h"
@@ -135,6 +136,8 @@ Takeaway takeaway_of(const Texts& texts, const ResultFacts& facts, std::size_t i
                                                           : Meaning::Good;
   taken.head = item_title(line, scenario_of(facts));
   taken.body = line.text;
+  const std::string advice = is_loss ? scenarios::advice_text(line.metric) : "";
+  if (!advice.empty()) taken.body += " " + advice;
   const assessment::ShownLine shown = assessment::shown_points(facts.score->card).lines[index];
   taken.right = is_loss ? texts.say("result.points_lost",
                                     {{"points", assessment::lost_points_text(line, shown)}})
