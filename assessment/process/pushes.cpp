@@ -1,6 +1,7 @@
 #include "assessment/process/pushes.h"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "assessment/metrics/face_plane.h"
@@ -17,16 +18,33 @@ using simulator::ToolStatus;
 constexpr std::size_t window_ticks = 20;
 constexpr double upper_share = 0.95;
 
-bool is_cutting(const ToolSample& sample) noexcept {
-  return has(sample.status, ToolStatus::Cutting);
+/// The force at one tick in which teeth advanced.
+struct Push {
+  std::int64_t tick = 0;
+  double size_newton = 0.0, aside_newton = 0.0;
+};
+
+/// Each sample for every tick that it covers.
+std::vector<Push> pushes_of(std::span<const ToolSample> samples, std::size_t first,
+                            std::size_t last) {
+  std::vector<Push> pushes;
+  for (std::size_t index = first; index <= last; ++index) {
+    const ToolSample& sample = samples[index];
+    const Vec3 normal = axis_z(transform_from(sample.world_from_tool));
+    const double size_newton = simulator::force_size_newton(sample);
+    const double aside_newton = glm::dot(simulator::force_newton(sample), normal);
+    for (std::int64_t back = ticks_covered(samples, index); back-- > 0;)
+      pushes.push_back({sample.tick - back, size_newton, aside_newton});
+  }
+  return pushes;
 }
 
-/// The greatest mean over a window within this stretch of ticks that follow each other.
-void raise_peak(std::optional<Finding>& peak, std::span<const ToolSample> stretch) {
+/// The greatest mean over a window of ticks that follow each other.
+void raise_peak(std::optional<Finding>& peak, std::span<const Push> stretch) {
   double sum_newton = 0.0;
   for (std::size_t i = 0; i < stretch.size(); ++i) {
-    sum_newton += simulator::force_size_newton(stretch[i]);
-    if (i >= window_ticks) sum_newton -= simulator::force_size_newton(stretch[i - window_ticks]);
+    sum_newton += stretch[i].size_newton;
+    if (i >= window_ticks) sum_newton -= stretch[i - window_ticks].size_newton;
     if (i + 1 < window_ticks) continue;
     const double mean_newton = sum_newton / static_cast<double>(window_ticks);
     if (peak && peak->value >= mean_newton) continue;
@@ -39,25 +57,23 @@ void raise_peak(std::optional<Finding>& peak, std::span<const ToolSample> stretc
 Pushes measure_pushes(const simulator::Recording& recording) {
   const std::span<const ToolSample> samples = recording.samples;
   Pushes pushes;
+  std::vector<Push> all;
   for_each_stretch(
-      samples, [&](std::size_t index) { return is_cutting(samples[index]); },
+      samples, [&](std::size_t index) { return has(samples[index].status, ToolStatus::Cutting); },
       [&](std::size_t first, std::size_t last) {
-        raise_peak(pushes.peak_newton, samples.subspan(first, last - first + 1));
+        const std::vector<Push> stretch = pushes_of(samples, first, last);
+        raise_peak(pushes.peak_newton, stretch);
+        all.insert(all.end(), stretch.begin(), stretch.end());
       });
+  if (all.empty()) return pushes;
   std::vector<double> sizes_newton;
   double squares = 0.0;
-  std::int64_t first_tick = 0, last_tick = 0;
-  for (const ToolSample& sample : samples) {
-    if (!is_cutting(sample)) continue;
-    if (sizes_newton.empty()) first_tick = sample.tick;
-    last_tick = sample.tick;
-    sizes_newton.push_back(simulator::force_size_newton(sample));
-    const Vec3 normal = axis_z(transform_from(sample.world_from_tool));
-    const double aside_newton = glm::dot(simulator::force_newton(sample), normal);
-    squares += aside_newton * aside_newton;
+  for (const Push& push : all) {
+    sizes_newton.push_back(push.size_newton);
+    squares += push.aside_newton * push.aside_newton;
   }
-  if (sizes_newton.empty()) return pushes;
-  const double count = static_cast<double>(sizes_newton.size());
+  const std::int64_t first_tick = all.front().tick, last_tick = all.back().tick;
+  const double count = static_cast<double>(all.size());
   pushes.side_newton = Finding{std::sqrt(squares / count), first_tick, last_tick};
   pushes.p95_newton =
       Finding{percentile(std::move(sizes_newton), upper_share), first_tick, last_tick};

@@ -31,7 +31,8 @@ Finding air_time(std::span<const ToolSample> samples, const simulator::Bvh& surf
                near.holds(tip_in_bone_mm(sample, bone_from_world));
       },
       [&](std::size_t first, std::size_t last) {
-        const std::int64_t ticks = samples[last].tick - samples[first].tick + 1;
+        const std::int64_t ticks =
+            samples[last].tick - samples[first].tick + ticks_covered(samples, first);
         if (ticks <= least_air_ticks) return;
         sum_ticks += ticks;
         if (ticks <= longest_ticks) return;

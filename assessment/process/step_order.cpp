@@ -50,9 +50,11 @@ std::optional<std::int64_t> tick_of(const Evidence& evidence, std::size_t index)
   return last_tick_of(evidence, CutEventKind::Finished);
 }
 
+using StepTicks = std::vector<std::optional<std::int64_t>>;
+
 /// How many of the steps up to each, itself included, can be kept so that their ticks rise: what
 /// the longest common subsequence is where no step stands twice.
-std::vector<std::size_t> longest_up_to(const std::vector<std::optional<std::int64_t>>& ticks) {
+std::vector<std::size_t> longest_up_to(const StepTicks& ticks) {
   std::vector<std::size_t> longest(ticks.size(), 0);
   for (std::size_t step = 0; step < ticks.size(); ++step) {
     if (!ticks[step]) continue;
@@ -65,24 +67,35 @@ std::vector<std::size_t> longest_up_to(const std::vector<std::optional<std::int6
   return longest;
 }
 
+/// Which steps the longest part keeps, found from its end.
+std::vector<bool> kept_of(const StepTicks& ticks) {
+  const std::vector<std::size_t> longest = longest_up_to(ticks);
+  std::size_t wanted = *std::max_element(longest.begin(), longest.end());
+  std::vector<bool> is_kept(ticks.size(), false);
+  std::optional<std::int64_t> later;
+  for (std::size_t step = ticks.size(); step-- > 0;) {
+    if (wanted == 0 || longest[step] != wanted || (later && *ticks[step] > *later)) continue;
+    is_kept[step] = true;
+    later = ticks[step];
+    --wanted;
+  }
+  return is_kept;
+}
+
 }  // namespace
 
 Finding measure_step_order(const Evidence& evidence) {
-  std::vector<std::optional<std::int64_t>> ticks;
+  StepTicks ticks;
   for (std::size_t index = 0; index < evidence.scenario.steps.size(); ++index)
     ticks.push_back(tick_of(evidence, index));
   if (ticks.empty()) return {1.0, 0, 0};
-  if (ticks.empty()) return {1.0, 0, 0};
-  const std::vector<std::size_t> longest = longest_up_to(ticks);
-  const std::size_t kept = *std::max_element(longest.begin(), longest.end());
-  const auto out_of_order = static_cast<std::size_t>(std::distance(
-      ticks.begin(),
-      std::adjacent_find(ticks.begin(), ticks.end(),
-                         [](const auto& a, const auto& b) { return a && b && *b < *a; })));
+  const std::vector<bool> is_kept = kept_of(ticks);
+  const auto kept = std::count(is_kept.begin(), is_kept.end(), true);
+  const auto left_out = static_cast<std::size_t>(
+      std::distance(is_kept.begin(), std::find(is_kept.begin(), is_kept.end(), false)));
   const std::int64_t end_tick =
       evidence.recording.samples.empty() ? 0 : evidence.recording.samples.back().tick;
-  const std::int64_t tick =
-      out_of_order < ticks.size() ? ticks[out_of_order].value_or(end_tick) : end_tick;
+  const std::int64_t tick = left_out < ticks.size() ? ticks[left_out].value_or(end_tick) : end_tick;
   return {static_cast<double>(kept) / static_cast<double>(ticks.size()), tick, tick};
 }
 

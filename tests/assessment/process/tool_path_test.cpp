@@ -1,0 +1,97 @@
+#include "assessment/process/tool_path.h"
+
+#include <gtest/gtest.h>
+
+#include "scenarios/hands/planned_strokes.h"
+#include "tests/assessment/process/block_evidence.h"
+#include "tests/assessment/process/made_recording.h"
+
+namespace hallux::assessment {
+namespace {
+
+using testing::BlockEvidence;
+using testing::examined;
+
+/// Of the low pass, which swings a little beyond a place at which a movement ends.
+constexpr double swung = 1e-4;
+
+/// Goes straight to a place in 2 s with the least jerk, and rests there.
+void go_to(BlockEvidence& made, Vec3& place_mm, const Vec3& to_mm) {
+  const Vec3 from_mm = place_mm;
+  for (int tick = 1; tick <= 2000; ++tick) {
+    const double time = tick / 2000.0;
+    const double share = time * time * time * (10.0 - 15.0 * time + 6.0 * time * time);
+    place_mm = from_mm + share * (to_mm - from_mm);
+    testing::add_line(made.recording,
+                      {.status = testing::running,
+                       .tip_mm = transform_point(made.bone.world_from_bone, place_mm)});
+  }
+  testing::add_lines(
+      made.recording,
+      {.status = testing::running, .tip_mm = transform_point(made.bone.world_from_bone, place_mm)},
+      200);
+}
+
+struct Way {
+  BlockEvidence made = examined(testing::block_scenario(), {});
+  Vec3 start_mm{30.0, 40.0, -8.0}, begin_mm{0.0, 0.0, 0.0}, end_mm{0.0, 0.0, 0.0};
+
+  Way() {
+    const auto strokes =
+        planned_strokes(made.scenario, made.bone, plan_on(made.scenario, made.bone));
+    EXPECT_EQ(strokes.size(), 1U) << "the blade is wider than the block";
+    begin_mm = strokes[0].bone_from_tool(strokes[0].first_mm).translation_mm;
+    end_mm = strokes[0].bone_from_tool(strokes[0].last_mm).translation_mm;
+  }
+  double shortest_mm() const {
+    return length_of(begin_mm - start_mm) + 2.0 * length_of(end_mm - begin_mm);
+  }
+  std::optional<Finding> ratio() const {
+    return measure_path_ratio(made.evidence(), simulator::Bvh(made.bone.outer));
+  }
+};
+
+TEST(ToolPath, StraightThereAndBackIsOne) {
+  Way way;
+  Vec3 place_mm = way.start_mm;
+  for (const Vec3& to_mm : {way.start_mm, way.begin_mm, way.end_mm, way.begin_mm})
+    go_to(way.made, place_mm, to_mm);
+  const Finding ratio = way.ratio().value();
+  EXPECT_NEAR(ratio.value, 1.0, swung);
+  EXPECT_EQ(ratio.first_tick, 0);
+  EXPECT_EQ(ratio.last_tick, 8799);
+}
+
+TEST(ToolPath, EachDetourCountsForItsWay) {
+  Way way;
+  Vec3 place_mm = way.start_mm;
+  const Vec3 aside_mm = way.begin_mm + Vec3{0.0, 0.0, -12.0};
+  for (const Vec3& to_mm : {way.start_mm, way.begin_mm, way.end_mm, way.begin_mm, way.end_mm,
+                            way.begin_mm, aside_mm, way.begin_mm})
+    go_to(way.made, place_mm, to_mm);
+  const double more_mm = 2.0 * length_of(way.end_mm - way.begin_mm) + 24.0;
+  EXPECT_NEAR(way.ratio()->value, 1.0 + more_mm / way.shortest_mm(), swung);
+}
+
+TEST(ToolPath, WhatIsFarFromTheBoneIsNoWayOfIt) {
+  Way way;
+  Vec3 place_mm{30.0, 200.0, -8.0};
+  go_to(way.made, place_mm, Vec3{30.0, 300.0, -8.0});
+  EXPECT_FALSE(way.ratio()) << "it never came near";
+  // In through 50 mm above the block's dorsal side: there the way begins.
+  for (const Vec3& to_mm : {way.begin_mm, way.end_mm, way.begin_mm})
+    go_to(way.made, place_mm, to_mm);
+  EXPECT_NEAR(way.ratio()->value, 1.0, 0.01);
+  EXPECT_GT(way.ratio()->first_tick, 2200);
+}
+
+TEST(ToolPath, OfAPlanWithoutStrokesThereIsNone) {
+  Way way;
+  way.made.scenario.steps.clear();
+  Vec3 place_mm = way.start_mm;
+  go_to(way.made, place_mm, way.start_mm);
+  EXPECT_FALSE(way.ratio());
+}
+
+}  // namespace
+}  // namespace hallux::assessment
