@@ -24,17 +24,19 @@ FollowedEffects::FollowedEffects(const simulator::Bone& bone, const simulator::S
 void FollowedEffects::follow(const simulator::ToolSample& sample, const simulator::KerfSet& kerfs) {
   effects_.apply(sample, {tissue_, kerfs, {}});
   for (CutEvent event; effects_.take_event(kerfs, event);) note(event);
+  for (std::size_t index = 0; index < contacts_.size(); ++index) {
+    if (contacts_[index] && zone(index).state == simulator::DangerState::Contact)
+      contacts_[index]->last_tick = sample.tick;
+  }
 }
 
 void FollowedEffects::note(const CutEvent& event) {
   const Vec3 place_mm = transform_from(event.pose).translation_mm;
   if (event.kind == CutEventKind::BoneHot && !hot_) hot_ = HeatPlace{event.tick, place_mm};
   if (event.kind == CutEventKind::BoneNecrosis && !dead_) dead_ = HeatPlace{event.tick, place_mm};
-  const bool begins = event.kind == CutEventKind::DangerContact;
-  if (!begins && event.kind != CutEventKind::DangerLeft) return;
+  if (event.kind != CutEventKind::DangerContact) return;
   std::optional<ZoneContacts>& contacts = contacts_[static_cast<std::size_t>(event.subject)];
   if (!contacts) contacts = ZoneContacts{event.tick, event.tick, place_mm};
-  contacts->last_tick = event.tick;
 }
 
 }  // namespace hallux::assessment

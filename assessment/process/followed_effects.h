@@ -12,7 +12,7 @@
 
 namespace hallux::assessment {
 
-/// When a zone was touched first, and for the last time.
+/// When the first contact with a zone began, and the last one was over or the attempt was.
 struct ZoneContacts {
   std::int64_t first_tick = 0, last_tick = 0;
   /// Of the teeth's middle at the first contact.

@@ -83,7 +83,15 @@ TEST(FollowedEffects, EachContactCountsAndTheFirstIsItsPlace) {
   EXPECT_NEAR(effects.zone(0).contact_s, 0.6, 2e-3);
   EXPECT_NEAR(effects.contacts(0)->place_in_bone_mm.x, 9.0, 2e-3);
   EXPECT_EQ(effects.contacts(0)->first_tick, 0);
-  EXPECT_NEAR(static_cast<double>(effects.contacts(0)->last_tick), 900.0 + 200.0, 1.0);
+  EXPECT_NEAR(static_cast<double>(effects.contacts(0)->last_tick), 900.0 + 198.0, 1.0);
+}
+
+TEST(FollowedEffects, AContactThatIsNotOverLastsToTheEnd) {
+  Work work;
+  add_lines(work.recording, work.at(5.0), 100);
+  add_lines(work.recording, work.at(9.0), 400);
+  EXPECT_EQ(work.followed().contacts(0)->first_tick, 100);
+  EXPECT_EQ(work.followed().contacts(0)->last_tick, 499);
 }
 
 TEST(FollowedEffects, WithoutZonesAndSawingNothingHappens) {
