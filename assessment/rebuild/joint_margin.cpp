@@ -78,8 +78,8 @@ std::optional<JointMargin> measure_joint_margin(const RebuiltBone& rebuilt, cons
       lower(least, joints, tree, point_mm, kerf);
   }
   if (least.kerf < 0) return std::nullopt;
-  // Half of a grid's diagonal.
-  least.bound_mm = grid_mm * std::sqrt(0.5);
+  // A corner of what is open lies up to a grid's diagonal from the nearest open point of the grid.
+  least.bound_mm = grid_mm * std::sqrt(2.0);
   return least;
 }
 

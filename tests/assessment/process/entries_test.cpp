@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/assessment/process/block_evidence.h"
+#include "tests/assessment/examined_attempt.h"
 
 namespace hallux::assessment {
 namespace {
 
-using testing::BlockEvidence;
 using testing::examined;
+using testing::ExaminedAttempt;
 using testing::Stroke;
 
 /// The blade goes so far away from where it last was, out of any kerf, and comes back into `kerf`.
@@ -28,10 +28,10 @@ void draw_back(simulator::Recording& recording, double away_mm, std::int32_t ker
   recording.samples.push_back(sample);
 }
 
-double restarts_of(const BlockEvidence& made) { return measure_restarts(made.evidence()).value; }
+double restarts_of(const ExaminedAttempt& made) { return measure_restarts(made.evidence()).value; }
 
 TEST(Entries, DrawingBackToClearTheKerfIsNone) {
-  BlockEvidence made = examined(testing::block_scenario(), {Stroke{}});
+  ExaminedAttempt made = examined(testing::block_scenario(), {Stroke{}});
   EXPECT_EQ(restarts_of(made), 0.0);
   draw_back(made.recording, 2.9);
   draw_back(made.recording, 2.9);
@@ -39,7 +39,7 @@ TEST(Entries, DrawingBackToClearTheKerfIsNone) {
 }
 
 TEST(Entries, ComingBackFromFurtherAwayIsOne) {
-  BlockEvidence made = examined(testing::block_scenario(), {Stroke{}});
+  ExaminedAttempt made = examined(testing::block_scenario(), {Stroke{}});
   draw_back(made.recording, 3.1);
   EXPECT_EQ(restarts_of(made), 1.0);
   EXPECT_EQ(measure_restarts(made.evidence()).last_tick, made.recording.samples.back().tick);
@@ -49,7 +49,7 @@ TEST(Entries, ComingBackFromFurtherAwayIsOne) {
 }
 
 TEST(Entries, DeepInsideTheKerfTheBladeMayGoWhereItLikes) {
-  BlockEvidence made = examined(testing::block_scenario(), {Stroke{}});
+  ExaminedAttempt made = examined(testing::block_scenario(), {Stroke{}});
   simulator::ToolSample sample = made.recording.samples.back();
   for (int step = 0; step < 20; ++step) {
     ++sample.tick;
@@ -62,7 +62,7 @@ TEST(Entries, DeepInsideTheKerfTheBladeMayGoWhereItLikes) {
 TEST(Entries, AnotherKerfOfTheCutIsOne) {
   EXPECT_EQ(restarts_of(examined(testing::block_scenario(), {Stroke{.face_z_mm = -9.5}, Stroke{}})),
             1.0);
-  BlockEvidence made = examined(testing::block_scenario(), {Stroke{.face_z_mm = -9.5}, Stroke{}});
+  ExaminedAttempt made = examined(testing::block_scenario(), {Stroke{.face_z_mm = -9.5}, Stroke{}});
   // Back into the first without going anywhere.
   draw_back(made.recording, 0.0, 0);
   EXPECT_EQ(restarts_of(made), 2.0);
@@ -73,7 +73,7 @@ TEST(Entries, ASectionTwoBladesWideNeedsTwo) {
   for (const auto& [width_mm, needed] :
        {std::pair{61.0, 1}, std::pair{59.0, 2}, std::pair{30.0, 2}, std::pair{29.0, 3}}) {
     scenario.saw.blade.width_mm = width_mm;
-    BlockEvidence made = examined(scenario, {Stroke{}});
+    ExaminedAttempt made = examined(scenario, {Stroke{}});
     for (int entry = 1; entry < needed; ++entry) draw_back(made.recording, 20.0);
     EXPECT_EQ(restarts_of(made), 0.0) << width_mm;
     draw_back(made.recording, 20.0);
@@ -82,7 +82,7 @@ TEST(Entries, ASectionTwoBladesWideNeedsTwo) {
 }
 
 TEST(Entries, OfNoCutThereAreNone) {
-  EXPECT_EQ(restarts_of(examined(testing::block_scenario(), {})), 0.0);
+  EXPECT_EQ(restarts_of(examined(testing::block_scenario(), std::vector<testing::Stroke>{})), 0.0);
 }
 
 }  // namespace

@@ -4,15 +4,15 @@
 
 #include <algorithm>
 
-#include "tests/assessment/process/block_evidence.h"
+#include "tests/assessment/examined_attempt.h"
 
 namespace hallux::assessment {
 namespace {
 
 using scenarios::StepKind;
 using simulator::CutEventKind;
-using testing::BlockEvidence;
 using testing::examined;
+using testing::ExaminedAttempt;
 using testing::Stroke;
 
 constexpr double exact = 1e-6;
@@ -32,7 +32,7 @@ struct Done {
 };
 
 Finding order_of(const Done& done, const std::vector<Stroke>& strokes = {Stroke{}}) {
-  BlockEvidence made = examined(four_steps(), strokes);
+  ExaminedAttempt made = examined(four_steps(), strokes);
   const auto say = [&](std::int64_t tick, CutEventKind kind, std::int32_t subject) {
     if (tick >= 0) made.recording.events.push_back({tick, kind, subject, 0, {}});
   };
@@ -84,7 +84,7 @@ TEST(StepOrder, AStepLeftOutIsMissing) {
 }
 
 TEST(StepOrder, TheLastPieceThatCameOutCounts) {
-  BlockEvidence made = examined(four_steps(), {Stroke{}});
+  ExaminedAttempt made = examined(four_steps(), {Stroke{}});
   made.recording.events.push_back({500, CutEventKind::PieceRemoved, 1, 0, {}});
   made.recording.events.push_back({600, CutEventKind::Finished, -1, 0, {}});
   EXPECT_NEAR(measure_step_order(made.evidence()).value, 0.75, exact);
@@ -93,7 +93,7 @@ TEST(StepOrder, TheLastPieceThatCameOutCounts) {
 }
 
 TEST(StepOrder, WithoutStepsNothingIsOutOfOrder) {
-  BlockEvidence made = examined(testing::block_scenario(), {});
+  ExaminedAttempt made = examined(testing::block_scenario(), std::vector<testing::Stroke>{});
   made.scenario.steps.clear();
   EXPECT_EQ(measure_step_order(made.evidence()).value, 1.0);
 }

@@ -3,20 +3,20 @@
 #include <gtest/gtest.h>
 
 #include "scenarios/hands/planned_strokes.h"
-#include "tests/assessment/process/block_evidence.h"
+#include "tests/assessment/examined_attempt.h"
 #include "tests/assessment/process/made_recording.h"
 
 namespace hallux::assessment {
 namespace {
 
-using testing::BlockEvidence;
 using testing::examined;
+using testing::ExaminedAttempt;
 
 /// Of the low pass, which swings a little beyond a place at which a movement ends.
 constexpr double swung = 1e-4;
 
 /// Goes straight to a place in 2 s with the least jerk, and rests there.
-void go_to(BlockEvidence& made, Vec3& place_mm, const Vec3& to_mm) {
+void go_to(ExaminedAttempt& made, Vec3& place_mm, const Vec3& to_mm) {
   const Vec3 from_mm = place_mm;
   for (int tick = 1; tick <= 2000; ++tick) {
     const double time = tick / 2000.0;
@@ -33,7 +33,7 @@ void go_to(BlockEvidence& made, Vec3& place_mm, const Vec3& to_mm) {
 }
 
 struct Way {
-  BlockEvidence made = examined(testing::block_scenario(), {});
+  ExaminedAttempt made = examined(testing::block_scenario(), std::vector<testing::Stroke>{});
   Vec3 start_mm{30.0, 40.0, -8.0}, begin_mm{0.0, 0.0, 0.0}, end_mm{0.0, 0.0, 0.0};
 
   Way() {
