@@ -1,12 +1,11 @@
-/// A face's turns and its offset are said against the plan: turned about the direction that the
-/// planned face contains (tilt) and out of it (roll), and shifted along its normal, all at the
-/// middle of the face. A stop shifts a kerf in its own plane: the blade reached from outside, so
-/// that what it opened moves as a whole.
+/// A face's turns and its offset are said against the plan: the planned face is turned so that the
+/// axis in it rises out of it (roll), then about the axis as it was (tilt), and shifted along its
+/// normal, all at the middle of the face. A stop shifts a kerf in its own plane, from where that
+/// took it: the blade reached from outside, so that what it opened moves as a whole.
 #include "assessment/what_if.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <utility>
 
@@ -54,8 +53,9 @@ FacePose pose_of(const CutFace& face, const PlannedCut& cut) {
   FacePose pose;
   pose.middle_in_bone_mm = middle_of(face);
   const double along = glm::dot(face.plane.normal, normal);
-  pose.tilt_rad = std::atan2(glm::dot(face.plane.normal, glm::cross(cut.axis, normal)), along);
-  pose.roll_rad = std::atan2(glm::dot(face.plane.normal, cut.axis), along);
+  const double across = glm::dot(face.plane.normal, glm::cross(cut.axis, normal));
+  pose.tilt_rad = std::atan2(across, along);
+  pose.roll_rad = std::atan2(glm::dot(face.plane.normal, cut.axis), std::hypot(along, across));
   pose.offset_mm = distance_along_mm(face.plane, pose.middle_in_bone_mm, normal) +
                    glm::dot(normal, pose.middle_in_bone_mm) - cut.face.offset_mm;
   return pose;
@@ -196,18 +196,26 @@ std::optional<double> asked(const std::vector<Change>& changes,
   return change->to - std::ranges::find(known, name, &KnownChange::name)->from;
 }
 
-/// Turns first, all about the middle of the face, then the shift.
+/// Rolled where the face has no tilt, so that each of the two turns changes itself alone; all about
+/// the middle of the face, and the shift last.
 RigidTransform move_of_cut(const std::vector<Change>& changes,
                            const std::vector<KnownChange>& known, const PlannedCut& cut,
                            const CutFace& face) {
-  const Vec3 middle_mm = middle_of(face);
-  RigidTransform move;
-  const auto turn = [&](const char* kind, const Vec3& axis) {
-    if (const auto more_deg = asked(changes, known, named(kind, cut.name)))
-      move = turn_about(middle_mm, axis, radian_from_degree(*more_deg)) * move;
+  const FacePose pose = pose_of(face, cut);
+  const auto more_deg = [&](const char* kind) {
+    return asked(changes, known, named(kind, cut.name));
   };
-  turn("tilt", cut.axis);
-  turn("roll", glm::cross(cut.face.normal, cut.axis));
+  const auto turn = [&](const Vec3& axis, double angle_rad) {
+    return turn_about(pose.middle_in_bone_mm, axis, angle_rad);
+  };
+  const auto tilt_deg = more_deg("tilt"), roll_deg = more_deg("roll");
+  RigidTransform move;
+  if (tilt_deg || roll_deg) {
+    const double to_rad = pose.tilt_rad + radian_from_degree(tilt_deg.value_or(0.0));
+    const Vec3 roll_axis = glm::cross(cut.face.normal, cut.axis);
+    move = turn(cut.axis, to_rad) * turn(roll_axis, radian_from_degree(roll_deg.value_or(0.0))) *
+           turn(cut.axis, -pose.tilt_rad);
+  }
   if (const auto more_mm = asked(changes, known, named("offset", cut.name)))
     move = shift_by(*more_mm * cut.face.normal) * move;
   return move;
@@ -221,39 +229,58 @@ Vec3 stop_shift(const simulator::KerfPlane& plane, const Vec3& outward, double m
   return (-more_mm / (size * size)) * along;
 }
 
+/// The attempt with some of its kerfs elsewhere.
+struct MovedAttempt {
+  simulator::Recording recording;
+  OpenedFields fields;
+  std::optional<RebuiltBone> rebuilt;
+  std::vector<std::vector<CutFace>> faces;
+};
+
+/// The bone as the kerfs lie now; each face counts as it did before, and is as finished.
+void rebuild_moved(MovedAttempt& moved, const Evidence& before) {
+  moved.rebuilt.emplace(
+      rebuild(before.bone, before.scenario.saw.blade, moved.recording, {}, &moved.fields));
+  moved.faces.assign(before.faces.size(), {});
+  for (std::size_t cut = 0; cut < before.faces.size(); ++cut) {
+    for (const CutFace& was : before.faces[cut]) {
+      CutFace face = face_of_kerf(*moved.rebuilt, was.kerf, before.plan, cut);
+      face.done_fraction = was.done_fraction;
+      face.is_finished = was.is_finished;
+      moved.faces[cut].push_back(std::move(face));
+    }
+  }
+}
+
+Evidence evidence_of(const MovedAttempt& moved, const Evidence& before) {
+  return {before.scenario, before.plan, *moved.rebuilt, moved.faces, before.bone, moved.recording};
+}
+
 }  // namespace
 
 std::vector<Measurement> WhatIf::measured_again(const std::vector<Change>& changes) const {
-  const scenarios::Plan& plan = examination_.plan;
-  std::map<std::int32_t, RigidTransform> moves;
-  for (const PlannedCut& cut : plan.cuts) {
-    const CutFace* face = counting_face(evidence(), cut.name);
-    if (face != nullptr) moves[face->kerf] = move_of_cut(changes, known_, cut, *face);
+  const Evidence before = evidence();
+  MovedAttempt moved{
+      {recording_.engine, {}, recording_.samples, recording_.events}, fields_, {}, {}};
+  const auto move = [&](std::int32_t kerf, const RigidTransform& bone_from_moved) {
+    move_kerf(moved.recording, moved.fields, bone_.world_from_bone, {kerf, bone_from_moved});
+  };
+  for (const PlannedCut& cut : examination_.plan.cuts) {
+    const CutFace* face = counting_face(before, cut.name);
+    if (face != nullptr) move(face->kerf, move_of_cut(changes, known_, cut, *face));
   }
-  for (const PlannedHinge& hinge : plan.hinges) {
+  rebuild_moved(moved, before);
+  for (const PlannedHinge& hinge : examination_.plan.hinges) {
     const auto stop = std::ranges::find(changes, named("stop", hinge.name), &Change::name);
     if (stop == changes.end()) continue;
-    for (const KerfBridge& bridge : bridges_left(hinge, evidence())) {
-      const Vec3 way_mm = stop_shift(examination_.rebuilt.fields.plane(bridge.kerf),
-                                     hinge.bridge.line.outward, stop->to - bridge.left_mm);
-      moves[bridge.kerf] = shift_by(way_mm) * moves[bridge.kerf];
+    // Of the bridge that the kerfs leave where they were turned and shifted to.
+    for (const KerfBridge& bridge : bridges_left(hinge, evidence_of(moved, before))) {
+      move(bridge.kerf, shift_by(stop_shift(moved.rebuilt->fields.plane(bridge.kerf),
+                                            hinge.bridge.line.outward, stop->to - bridge.left_mm)));
     }
+    rebuild_moved(moved, before);
   }
-  simulator::Recording moved{recording_.engine, {}, recording_.samples, recording_.events};
-  OpenedFields fields = fields_;
-  for (const auto& [kerf, move] : moves)
-    move_kerf(moved, fields, bone_.world_from_bone, {kerf, move});
-  const RebuiltBone rebuilt = rebuild(bone_, scenario_.saw.blade, moved, {}, &fields);
-  std::vector<std::vector<CutFace>> faces;
-  for (std::size_t cut = 0; cut < plan.cuts.size(); ++cut) {
-    faces.emplace_back();
-    for (const CutFace& before : examination_.faces[cut]) {
-      faces.back().push_back(face_of_kerf(rebuilt, before.kerf, plan, cut));
-      faces.back().back().done_fraction = before.done_fraction;
-      faces.back().back().is_finished = before.is_finished;
-    }
-  }
-  return measure_geometry({scenario_, plan, rebuilt, faces, bone_, moved});
+  return measure_geometry(evidence_of(moved, before));
 }
 
 WhatIfOutcome WhatIf::with(const std::vector<Change>& changes) const {
