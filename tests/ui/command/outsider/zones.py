@@ -1,0 +1,100 @@
+"""Contacts with danger zones: docs/metrics.md, "How the work was done", row `danger_contacts_count`, and "Danger zones"."""
+
+import math
+
+from outsider.export import RUNNING, SAW_ON, TICKS_PER_LINE
+from outsider.geometry import distance_of_crossing_lines, distance_to_segment, length, sub
+
+AWAY_MM, AWAY_TICKS = 0.5, 200
+
+
+class Blade:
+    """The rectangle behind the tooth line, in the tool's frame."""
+
+    def __init__(self, blade):
+        self.depth_mm, self.half_mm = blade["depth_mm"], 0.5 * blade["width_mm"]
+        self.around_mm = 0.5 * blade["kerf_mm"]
+        self.corners = [(0.0, -self.half_mm, 0.0), (0.0, self.half_mm, 0.0),
+                        (-self.depth_mm, self.half_mm, 0.0), (-self.depth_mm, -self.half_mm, 0.0)]
+        self.edges = list(zip(self.corners, self.corners[1:] + self.corners[:1]))
+
+    def distance_of_point(self, point):
+        beyond = point[0] if point[0] > 0.0 else min(0.0, point[0] + self.depth_mm)
+        return math.sqrt(beyond**2 + max(0.0, abs(point[1]) - self.half_mm) ** 2 + point[2] ** 2)
+
+    def is_crossed_by(self, from_, to):
+        if (from_[2] > 0.0) == (to[2] > 0.0):
+            return False
+        share = from_[2] / (from_[2] - to[2])
+        x, y = (from_[axis] + share * (to[axis] - from_[axis]) for axis in (0, 1))
+        return -self.depth_mm <= x <= 0.0 and abs(y) <= self.half_mm
+
+    def distance_of_line(self, from_, to):
+        """The nearest pair holds an end of the line, a corner, or lies within an edge and the line, unless they cross."""
+        if self.is_crossed_by(from_, to):
+            return 0.0
+        return min(self.distance_of_point(from_), self.distance_of_point(to),
+                   *(distance_to_segment(corner, from_, to) for corner in self.corners),
+                   *(distance_of_crossing_lines(from_, to, *edge) for edge in self.edges))
+
+
+class Watch:
+    """One zone, sample by sample."""
+
+    def __init__(self, zone, blade):
+        self.zone, self.blade = zone, blade
+        self.line = tuple(zone["from_in_bone_mm"]), tuple(zone["to_in_bone_mm"])
+        self.contacts, self.ticks_within, self.least_mm = 0, 0, math.inf
+        self.is_touched, self.away_ticks = False, 0
+        self.asked_corners, self.asked_mm = None, 0.0
+
+    def distance_mm(self, bone_from_tool, corners):
+        """Exact up to the margin of a contact. A rigid blade has moved no further than the corner that moved most, so further
+        away a bound will do."""
+        if self.asked_corners:
+            moved_mm = max(length(sub(a, b)) for a, b in zip(corners, self.asked_corners))
+            if self.asked_mm - moved_mm > AWAY_MM:
+                return self.asked_mm - moved_mm
+        tool_from_bone = bone_from_tool.inverse()
+        self.asked_corners = corners
+        self.asked_mm = (self.blade.distance_of_line(*map(tool_from_bone.point, self.line)) -
+                         self.zone["radius_mm"] - self.blade.around_mm)
+        return self.asked_mm
+
+    def follow(self, distance_mm, ticks):
+        """`distance_mm` is infinite where the saw stands still."""
+        self.least_mm = min(self.least_mm, distance_mm)
+        if distance_mm <= 0.0:
+            self.ticks_within += ticks
+            self.contacts += not self.is_touched
+            self.is_touched = True
+        if distance_mm <= AWAY_MM:
+            self.away_ticks = 0
+            return
+        self.away_ticks += ticks
+        if self.away_ticks >= AWAY_TICKS:
+            self.is_touched = False
+
+
+def zone_metrics(export):
+    blade = Blade(export.blade)
+    watches = [Watch(zone, blade) for zone in export.plan["danger_zones"]]
+    last_tick = -1
+    for sample in export.samples:
+        ticks = min(max(sample.tick - last_tick, 0), TICKS_PER_LINE)
+        last_tick = sample.tick
+        runs = sample.status & RUNNING and sample.status & SAW_ON
+        if runs:
+            bone_from_tool = export.bone_from_tool(sample)
+            corners = [bone_from_tool.point(corner) for corner in blade.corners]
+        for watch in watches:
+            watch.follow(watch.distance_mm(bone_from_tool, corners) if runs else math.inf, ticks)
+    found = {}
+    for watch in watches:
+        name = watch.zone["name"]
+        found["danger_contacts_count", name] = watch.contacts
+        found["danger_s", name] = watch.ticks_within / 1000
+        found["danger_depth_mm", name] = max(0.0, -watch.least_mm)
+    for metric, over_all in (("danger_contacts_count", sum), ("danger_s", sum), ("danger_depth_mm", max)):
+        found[metric, ""] = over_all(found[metric, watch.zone["name"]] for watch in watches)
+    return found

@@ -1,0 +1,102 @@
+#!/usr/bin/env python3
+"""An outsider checks a score: metrics, points and score computed again from exported files alone (`outsider/`) are the program's.
+
+Metrics agree to 1e-6 of their unit, to which the program rounds them; points and scores to the thousandth. Every metric that the
+program measured is either computed again or has a reason in `outsider.recompute.LEFT_OUT`.
+"""
+
+import unittest
+
+from hallux_command import DONE, CommandTest
+from outsider.export import Export
+from outsider.points import Score
+from outsider.recompute import LEFT_OUT, recomputed
+
+ROUNDED_TO = 1e-6
+
+
+def milli(points):
+    return round(1000 * points)
+
+
+def about(measurement):
+    return measurement["metric"], measurement["cut"] or measurement["hinge"] or measurement["zone"] or ""
+
+
+class Recomputed(CommandTest):
+    def exported(self, operation, hand, seed):
+        """The program's answer about a score, and the files of that attempt as an outsider has them."""
+        attempt = self.ask("attempt", operation, "--hand", hand, "--seed", seed)["attempt"]
+        answer = self.ask("score", attempt)
+        folder = self.folder / "exported"
+        done = self.hallux("export", attempt, "-o", folder)
+        self.assertEqual(done.code, DONE, done)
+        return answer, Export(folder / attempt)
+
+    def expect_metrics(self, answer, export):
+        """Returns the values by metric and subject."""
+        found = recomputed(export)
+        program = {about(each): each for each in answer["measurements"]}
+        self.assertEqual(len(program), len(answer["measurements"]))
+        self.assertEqual(set(found) - set(program), set(), "the program does not measure these")
+        for key, measurement in program.items():
+            with self.subTest(metric=key[0], about=key[1]):
+                value = measurement["value"]
+                if key not in found and key[0] not in LEFT_OUT:
+                    self.assertIsNone(value, "nothing was made that an outsider could measure")
+                elif key in found and (value is None or found[key] is None):
+                    self.assertEqual(found[key], value)
+                elif key in found:
+                    self.assertLessEqual(abs(found[key] - value), ROUNDED_TO, f"{found[key]} and {value}")
+        return found
+
+    def expect_score(self, answer, export):
+        """By the knots of the scenario that was exported."""
+        score = Score(export.scenario["rubric"], answer["measurements"], export.manifest["attempt"]["device_class"])
+        self.assertEqual(score.lines, [(line["item"], line["group"], milli(line["rubric_points_lost"])) for line in answer["ledger"]])
+        self.assertEqual(score.shown, [milli(line["points_lost"]) for line in answer["ledger"]])
+        self.assertEqual(sum(score.shown), 100_000 - score.score)
+        self.assertEqual(score.triggered, {gate["name"]: gate["triggered"] for gate in answer["gates"]})
+        self.assertEqual(score.earned, {group["name"]: milli(group["earned"]) for group in answer["groups"]})
+        self.assertEqual(score.measured, {group["name"]: milli(group["measured_weight"]) for group in answer["groups"]})
+        self.assertEqual(score.score, milli(answer["score"]))
+        card = next(each["card"] for each in export.manifest["scores"] if each["is_in_force"])
+        self.assertEqual((score.score, score.left, score.whole), (card["score_milli"], card["earned_milli"], card["measured_milli"]))
+        return score
+
+    def expect_all(self, operation, hand, seed):
+        answer, export = self.exported(operation, hand, seed)
+        return self.expect_metrics(answer, export), self.expect_score(answer, export)
+
+    def test_silver_by_an_expert(self):
+        metrics, score = self.expect_all("silver", "expert", 1)
+        self.assertGreater(metrics["air_cutting_s", ""], 2)
+        self.assertGreater(metrics["breakthrough_newton", "eminence"], 0)
+        self.assertGreater(score.score, 80_000)
+
+    def test_silver_past_its_landmarks(self):
+        metrics, score = self.expect_all("silver", "novice", 11)
+        self.assertGreater(metrics["notch_mm", "eminence"], 0)
+        self.assertGreater(metrics["past_landmark_mm", "eminence"], 0)
+        self.assertGreater(metrics["restarts_count", ""], 0)
+        self.assertTrue(score.triggered["past_sulcus"])
+
+    def test_akin_with_its_hinge_cut_through(self):
+        metrics, score = self.expect_all("akin", "novice", 3)
+        self.assertEqual(metrics["wedge_closed", "lateral_hinge"], 0)
+        self.assertGreater(metrics["danger_depth_mm", ""], 0)
+        self.assertGreater(dict((item, lost) for item, _, lost in score.lines)["damping"], 0)
+
+    def test_akin_with_its_wedge_closed(self):
+        metrics, _ = self.expect_all("akin", "novice", 7)
+        self.assertGreater(metrics["gap_mm", "lateral_hinge"], 0)
+        self.assertGreater(metrics["idle_s", ""], 0)
+
+    def test_akin_with_one_cut_alone(self):
+        metrics, score = self.expect_all("akin", "novice", 8)
+        self.assertNotIn(("angle_deg", "distal_face"), metrics)
+        self.assertEqual(dict((item, lost) for item, _, lost in score.lines)["A3"], 6000)
+
+
+if __name__ == "__main__":
+    unittest.main()
