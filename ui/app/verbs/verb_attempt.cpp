@@ -82,6 +82,13 @@ void check_faults(const AttemptOptions& options) {
   }
 }
 
+std::string fault_names() {
+  std::string names;
+  for (const scenarios::FaultRow& row : scenarios::fault_table())
+    names += (names.empty() ? "" : ", ") + std::string(row.name);
+  return names;
+}
+
 /// How a hand's file is named in the record: without the folders it lay in, and by its content.
 /// errors  ScenarioError
 std::string kept_name_of(const std::filesystem::path& file, std::string_view content) {
@@ -290,8 +297,8 @@ void add_attempt_verbs(CLI::App& app, VerbContext& context) {
       ->capture_default_str();
   attempt
       ->add_option("--fault", options->faults,
-                   "what the hand does wrong on purpose: NAME[:SUBJECT][=SIZE], may be repeated; "
-                   "an unknown name lists them all")
+                   "what the hand does wrong on purpose, NAME[:SUBJECT][=SIZE], may be repeated: " +
+                       fault_names())
       ->type_name("FAULT")
       ->allow_extra_args(false);
   attempt->add_option("--seed", options->seed, "seed of the hand's errors")
