@@ -68,10 +68,10 @@ TEST(Entries, AnotherKerfOfTheCutIsOne) {
   EXPECT_EQ(restarts_of(made), 2.0);
 }
 
-TEST(Entries, ASectionTwoBladesWideNeedsTwo) {
+TEST(Entries, ASectionNeedsThePassesThatThePlanLaysOverIt) {
   scenarios::Scenario scenario = testing::block_scenario();
   for (const auto& [width_mm, needed] :
-       {std::pair{61.0, 1}, std::pair{59.0, 2}, std::pair{30.0, 2}, std::pair{29.0, 3}}) {
+       {std::pair{62.5, 1}, std::pair{61.5, 2}, std::pair{32.0, 2}, std::pair{31.0, 3}}) {
     scenario.saw.blade.width_mm = width_mm;
     ExaminedAttempt made = examined(scenario, {Stroke{}});
     for (int entry = 1; entry < needed; ++entry) draw_back(made.recording, 20.0);
