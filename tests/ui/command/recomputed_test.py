@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""An outsider checks a score: metrics, points and score computed again from exported files alone (`outsider/`) are the program's.
+"""An outsider checks a score: metrics, points and score computed again from exported files alone are the program's.
 
-Metrics agree to 1e-6 of their unit, to which the program rounds them; points and scores to the thousandth. Every metric that the
-program measured is either computed again or has a reason in `outsider.recompute.LEFT_OUT`.
+Metrics agree to 1e-6 of their unit, to which the program rounds them; points and scores to the thousandth. Every metric that
+the program measured is either computed again (`outsider/`) or has a reason in `outsider.recompute.LEFT_OUT`.
 """
 
 import unittest
@@ -53,7 +53,8 @@ class Recomputed(CommandTest):
     def expect_score(self, answer, export):
         """By the knots of the scenario that was exported."""
         score = Score(export.scenario["rubric"], answer["measurements"], export.manifest["attempt"]["device_class"])
-        self.assertEqual(score.lines, [(line["item"], line["group"], milli(line["rubric_points_lost"])) for line in answer["ledger"]])
+        ledger = [(line["item"], line["group"], milli(line["rubric_points_lost"])) for line in answer["ledger"]]
+        self.assertEqual(score.lines, ledger)
         self.assertEqual(score.shown, [milli(line["points_lost"]) for line in answer["ledger"]])
         self.assertEqual(sum(score.shown), 100_000 - score.score)
         self.assertEqual(score.triggered, {gate["name"]: gate["triggered"] for gate in answer["gates"]})
@@ -61,7 +62,8 @@ class Recomputed(CommandTest):
         self.assertEqual(score.measured, {group["name"]: milli(group["measured_weight"]) for group in answer["groups"]})
         self.assertEqual(score.score, milli(answer["score"]))
         card = next(each["card"] for each in export.manifest["scores"] if each["is_in_force"])
-        self.assertEqual((score.score, score.left, score.whole), (card["score_milli"], card["earned_milli"], card["measured_milli"]))
+        self.assertEqual([score.score, score.left, score.whole],
+                         [card[key] for key in ("score_milli", "earned_milli", "measured_milli")])
         return score
 
     def expect_all(self, operation, hand, seed):
@@ -94,6 +96,7 @@ class Recomputed(CommandTest):
     def test_akin_with_one_cut_alone(self):
         metrics, score = self.expect_all("akin", "novice", 8)
         self.assertNotIn(("angle_deg", "distal_face"), metrics)
+        self.assertGreater(metrics["restarts_count", ""], 0)
         self.assertEqual(dict((item, lost) for item, _, lost in score.lines)["A3"], 6000)
 
 

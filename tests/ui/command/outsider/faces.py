@@ -139,6 +139,11 @@ def faces_of_cuts(export, kerfs_of_cut):
         math.inf if face.piece is None else face.piece, -face.area_mm2)) for cut, kerfs in kerfs_of_cut.items()}
 
 
+def counting(faces):
+    """The face of a cut that counts, in a list of its own; none where no wall stands on a piece."""
+    return [face for face in faces[:1] if face.plane]
+
+
 def distal(plane):
     return plane if plane.normal[0] >= 0.0 else plane.turned()
 
@@ -261,7 +266,7 @@ def piece_metrics(export, faces_of_cut):
             continue
         cuts = [hinges[step["hinge"]][key] for key in ("first_cut", "second_cut")] if "hinge" in step else [step["cut"]]
         about = step.get("hinge") or step["cut"]
-        faces = [faces_of_cut[cut][0] for cut in cuts if faces_of_cut[cut]]
+        faces = [face for cut in cuts for face in counting(faces_of_cut[cut])]
         if len(faces) < len(cuts):
             continue
         if len(faces) == 2:

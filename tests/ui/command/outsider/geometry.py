@@ -1,7 +1,7 @@
 """Vectors, poses, planes and distances, with Python's standard library only.
 
-A vector is a tuple of three numbers. A frame's name says where a number stands: `bone_from_tool.point(p)` says the tool's point p
-in the bone's frame.
+A vector is a tuple of three numbers. A pose's name says from which frame to which it leads: `bone_from_tool.point(p)` says the
+tool's point p in the bone's frame.
 """
 
 import math

@@ -2,7 +2,7 @@
 
 from outsider.entries import restarts_count
 from outsider.export import HINGE_CLOSED
-from outsider.faces import closing_metrics, cut_metrics, faces_of_cuts, kerfs_of_cuts, piece_metrics, wedge_metrics
+from outsider.faces import closing_metrics, counting, cut_metrics, faces_of_cuts, kerfs_of_cuts, piece_metrics, wedge_metrics
 from outsider.movement import movement_metrics
 from outsider.work import force_metrics, saw_metrics, step_order, time_metrics
 from outsider.zones import zone_metrics
@@ -12,7 +12,7 @@ OPENED = "asks for the field that the blade opened, not only for the walls that 
 LEFT_OUT = {
     "hot_s": "asks for the model of heat (docs/haptics.md), followed over the fields of the kerfs",
     "necrotic_mm3": "asks for the model of heat (docs/haptics.md), followed over the fields of the kerfs",
-    "joint_margin_mm": OPENED + "; nor does an export tell the triangles of the joint surfaces",
+    "joint_margin_mm": OPENED,
     "hinge_mm": OPENED,
     "hinge_lost": OPENED,
     "over_cut_mm": OPENED,
@@ -22,8 +22,8 @@ LEFT_OUT = {
 
 
 def recomputed(export):
-    """Of a cut without a kerf, and of what needs such a cut, there is nothing. Of a cut that was left unfinished the face is
-    that of the walls that stand: the program measures it where the blade opened bone, which is left out."""
+    """Of a cut without a wall on a piece, and of what needs such a cut, there is nothing: where it was left unfinished, the
+    program measures it where the blade opened bone, which an export does not tell."""
     found = force_metrics(export) | saw_metrics(export) | time_metrics(export)
     found |= movement_metrics(export) | zone_metrics(export)
     kerfs = kerfs_of_cuts(export)
@@ -31,10 +31,10 @@ def recomputed(export):
     faces = faces_of_cuts(export, kerfs)
     found["restarts_count", ""] = restarts_count(export, faces)
     for cut, made in faces.items():
-        if made:
+        if counting(made):
             found |= cut_metrics(export, cut, made)
     for hinge in export.plan["hinges"]:
-        first, second = (faces[hinge[key]][:1] for key in ("first_cut", "second_cut"))
+        first, second = (counting(faces[hinge[key]]) for key in ("first_cut", "second_cut"))
         if first and second:
             found |= wedge_metrics(export, hinge, first[0], second[0])
         found |= closing_metrics(export, hinge, first, second)

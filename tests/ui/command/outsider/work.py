@@ -29,7 +29,7 @@ def force_metrics(export):
 
 
 class NearBone:
-    """Whether a place is within 50 mm of the bone's surface. A distance changes by no more than the way, so few are searched."""
+    """Whether a place is within 50 mm of the bone. A distance changes by no more than the way, so few are searched."""
 
     def __init__(self, mesh):
         self.mesh, self.asked, self.asked_mm = mesh, None, 0.0
