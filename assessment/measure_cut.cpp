@@ -184,6 +184,11 @@ void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const C
     made.push_back(measurement(planned, metric, value, cutting, metrics.worst_point_in_bone_mm));
   made.push_back(offset(planned, Metric::EntryMm, metrics.entry_mm, towards, frozen,
                         planned.entry_point_in_bone_mm));
+  // A face across the bone without a hinge runs out all around it.
+  if (!is_along(planned) && planned.hinge.empty()) {
+    made.push_back(absent_of(planned, Metric::ExitMm, Absence::Undefined));
+    return;
+  }
   made.push_back(offset(planned, Metric::ExitMm, metrics.exit_mm, towards, cutting,
                         planned.exit_point_in_bone_mm));
 }
