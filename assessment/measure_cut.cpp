@@ -220,6 +220,7 @@ void add_break_throughs(std::vector<Measurement>& made, const PlannedCut& planne
                         const std::vector<CutFace>& faces, const RebuiltBone& rebuilt,
                         const BreakThroughWorld& world) {
   std::vector<std::int32_t> kerfs;
+  kerfs.reserve(faces.size());
   for (const CutFace& face : faces) kerfs.push_back(face.kerf);
   const BreakThroughs worst = measure_break_throughs(world, kerfs);
   const Moment plunge = worst.plunge_mm.value > 0.0

@@ -24,6 +24,7 @@ bool is_free(std::uint32_t status) noexcept {
 std::optional<Finding> median_of(const std::vector<Finding>& movements) {
   if (movements.size() < least_movements) return std::nullopt;
   std::vector<double> values;
+  values.reserve(movements.size());
   for (const Finding& movement : movements) values.push_back(movement.value);
   const Finding& roughest =
       *std::min_element(movements.begin(), movements.end(),

@@ -9,7 +9,6 @@ namespace hallux::assessment {
 namespace {
 
 using simulator::TapeLine;
-using simulator::ToolSample;
 
 void add_place(PlaceStretch& stretch, const Vec3& place_mm, std::uint32_t status) {
   for (std::size_t axis = 0; axis < stretch.axes_mm.size(); ++axis)

@@ -74,6 +74,7 @@ const FaultRow& row_named(std::string_view name) {
     if (row.name == name) return row;
   }
   std::vector<std::string> patterns;
+  patterns.reserve(rows.size());
   for (const FaultRow& row : rows) patterns.push_back(pattern_of(row));
   throw ScenarioError("there is no fault \"" + std::string(name) + "\"; use " +
                       any_of_words(patterns));
@@ -107,7 +108,7 @@ std::string subject_in(std::string_view text, const FaultRow& row,
   }
   if (!subject && row.subject == FaultSubject::MayBeCut) return {};
   const std::vector<std::string> known = subjects_in(scenario, row.subject);
-  const std::string name(subject.value_or(""));
+  std::string name(subject.value_or(""));
   if (std::find(known.begin(), known.end(), name) != known.end()) return name;
   if (known.empty()) refuse_fault(text, scenario.name + " has none that it could be of");
   refuse_fault(text, (subject ? scenario.name + " has no \"" + name + "\" that it could be of"

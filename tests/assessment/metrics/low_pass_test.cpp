@@ -32,6 +32,7 @@ TEST(LowPass, AConstantPassesUnchanged) {
 // rested: of that, e^-4.4 x sqrt(2) is left at the first value.
 TEST(LowPass, AStraightLinePassesUnchangedOnceItHasRunIn) {
   std::vector<double> line;
+  line.reserve(2000);
   for (int i = 0; i < 2000; ++i) line.push_back(5.0 + 0.03 * i);
   const std::vector<double> passed = low_passed(line, filter);
   for (std::size_t i = 0; i < line.size(); ++i) {

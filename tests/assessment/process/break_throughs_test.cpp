@@ -12,7 +12,6 @@ namespace {
 
 using simulator::Recording;
 using testing::add_line;
-using testing::MadeLine;
 
 constexpr double exact = 1e-6;
 constexpr simulator::Blade blade{.width_mm = 10.0, .depth_mm = 40.0};

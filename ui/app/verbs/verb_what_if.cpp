@@ -16,7 +16,6 @@ namespace hallux::ui {
 namespace {
 
 using assessment::Change;
-using assessment::KnownChange;
 using database::Action;
 using nlohmann::ordered_json;
 
