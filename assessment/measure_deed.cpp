@@ -3,6 +3,7 @@
 #include "assessment/measure_deed.h"
 
 #include "assessment/make_measurement.h"
+#include "assessment/process/sample_spans.h"
 #include "assessment/rebuild/taken_out.h"
 #include "scenarios/site/parted_bone.h"
 
@@ -56,10 +57,6 @@ bool has_gone(const std::vector<SawnFace>& faces, const Evidence& evidence,
   const std::vector<Vec3> places_mm =
       parted_places_mm(faces, {whole, tree}, evidence.rebuilt.fields);
   return scenarios::are_mostly_in(bodies, places_mm);
-}
-
-std::int64_t last_tick_of(const simulator::Recording& recording) {
-  return recording.samples.empty() ? 0 : recording.samples.back().tick;
 }
 
 /// Of a deed that is told by whether it was done.

@@ -13,6 +13,7 @@
 #include "assessment/process/handle_track.h"
 #include "assessment/process/pace.h"
 #include "assessment/process/pushes.h"
+#include "assessment/process/sample_spans.h"
 #include "assessment/process/saw_care.h"
 #include "assessment/process/step_order.h"
 #include "assessment/process/tool_path.h"
@@ -57,10 +58,6 @@ class ProcessList {
   RigidTransform bone_from_world_;
   std::vector<Measurement> made_;
 };
-
-std::int64_t last_tick_of(const simulator::Recording& recording) {
-  return recording.samples.empty() ? 0 : recording.samples.back().tick;
-}
 
 /// One zone's three metrics, or those of all of them together.
 struct ZoneSum {
@@ -198,7 +195,7 @@ std::vector<Measurement> nothing_recorded(const Evidence& evidence) {
 
 std::vector<Measurement> measure_process(const Evidence& evidence, const FollowedEffects& effects) {
   if (evidence.recording.samples.empty()) return nothing_recorded(evidence);
-  const simulator::Bvh surface(evidence.bone.outer);
+  const simulator::Bvh& surface = effects.surface();
   ProcessList list(evidence);
   add_zones(list, evidence, effects);
   add_heat(list, effects, last_tick_of(evidence.recording));

@@ -10,11 +10,7 @@
 #include <utility>
 
 #include "assessment/ledger.h"
-#include "assessment/make_measurement.h"
-#include "assessment/measure_cut.h"
 #include "assessment/measure_hinge.h"
-#include "assessment/measure_piece.h"
-#include "assessment/measure_process.h"
 #include "assessment/number_text.h"
 #include "assessment/rebuild/moved_kerf.h"
 #include "simulator/base/units.h"

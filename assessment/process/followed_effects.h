@@ -34,6 +34,8 @@ class FollowedEffects {
   /// needs   samples in their order; `kerfs` as they stand after the sample
   void follow(const simulator::ToolSample& sample, const simulator::KerfSet& kerfs);
 
+  /// Of the bone as it was, in its frame.
+  const simulator::Bvh& surface() const noexcept { return tissue_.surface(); }
   /// Per danger zone of the plan.
   const simulator::DangerTrack& zone(std::size_t index) const noexcept {
     return effects_.danger().tracks()[index];

@@ -1,4 +1,4 @@
-/// The time that samples cover, and stretches of them. Inside this corner only.
+/// The time that samples cover, and stretches of them. Inside this room only.
 #pragma once
 
 #include <algorithm>
@@ -9,6 +9,11 @@
 #include "simulator/record/record.h"
 
 namespace hallux::assessment {
+
+/// 0 where nothing was sampled.
+inline std::int64_t last_tick_of(const simulator::Recording& recording) noexcept {
+  return recording.samples.empty() ? 0 : recording.samples.back().tick;
+}
 
 /// The ticks that a sample covers: those since the one before, where no more were missed than one
 /// line of a tape may cover.

@@ -5,6 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "assessment/process/sample_spans.h"
+
 namespace hallux::assessment {
 
 namespace {
@@ -93,8 +95,7 @@ Finding measure_step_order(const Evidence& evidence) {
   const auto kept = std::count(is_kept.begin(), is_kept.end(), true);
   const auto left_out = static_cast<std::size_t>(
       std::distance(is_kept.begin(), std::find(is_kept.begin(), is_kept.end(), false)));
-  const std::int64_t end_tick =
-      evidence.recording.samples.empty() ? 0 : evidence.recording.samples.back().tick;
+  const std::int64_t end_tick = last_tick_of(evidence.recording);
   const std::int64_t tick = left_out < ticks.size() ? ticks[left_out].value_or(end_tick) : end_tick;
   return {static_cast<double>(kept) / static_cast<double>(ticks.size()), tick, tick};
 }

@@ -1,8 +1,8 @@
 /// Whether the steps were carried out in their order. Inside this room only.
 #pragma once
 
-#include "assessment/rebuild/evidence.h"
 #include "assessment/process/finding.h"
+#include "assessment/rebuild/evidence.h"
 
 namespace hallux::assessment {
 

@@ -3,8 +3,8 @@
 
 #include <optional>
 
-#include "assessment/rebuild/evidence.h"
 #include "assessment/process/finding.h"
+#include "assessment/rebuild/evidence.h"
 #include "simulator/mesh/bvh.h"
 
 namespace hallux::assessment {

@@ -131,6 +131,20 @@ std::vector<double> bone_borders_mm(const SectionRegion& region, double v_mm) {
   return borders_mm;
 }
 
+/// Calls visit(borders, v) for each row of a grid over the regions that the blade touched.
+template <typename Visit>
+void for_each_row(const RebuiltKerf& kerf, double step_mm, Visit&& visit) {
+  for (std::size_t index = 0; index < kerf.section.regions.size(); ++index) {
+    if (kerf.is_touched[index] == 0) continue;
+    const SectionRegion& region = kerf.section.regions[index];
+    const GridWindow grid = window_of(region.min_mm, region.max_mm, step_mm);
+    for (std::int64_t v = grid.v_first; v <= grid.v_last; ++v) {
+      const double v_mm = static_cast<double>(v) * step_mm;
+      visit(bone_borders_mm(region, v_mm), v_mm);
+    }
+  }
+}
+
 /// The grid points of one row from border to border of the region, in the order in which they lie
 /// outward.
 std::vector<Vec2> outward_row(const std::vector<double>& borders_mm, double v_mm,
@@ -197,17 +211,10 @@ double opened_share(const RebuiltBone& rebuilt, std::int32_t index,
       transform_direction(rebuilt.fields.plane(index).bone_from_kerf, {1.0, 0.0, 0.0});
   const bool is_reversed = glm::dot(feed, window.outward) < 0.0;
   WindowCount count;
-  for (std::size_t i = 0; i < kerf.section.regions.size(); ++i) {
-    if (kerf.is_touched[i] == 0) continue;
-    const SectionRegion& region = kerf.section.regions[i];
-    const GridWindow grid = window_of(region.min_mm, region.max_mm, window_step_mm);
-    for (std::int64_t v = grid.v_first; v <= grid.v_last; ++v) {
-      const double v_mm = static_cast<double>(v) * window_step_mm;
-      const std::vector<double> borders_mm = bone_borders_mm(region, v_mm);
-      count_row(count, rebuilt, index, borders_mm, outward_row(borders_mm, v_mm, is_reversed),
-                window);
-    }
-  }
+  for_each_row(kerf, window_step_mm, [&](const std::vector<double>& borders_mm, double v_mm) {
+    count_row(count, rebuilt, index, borders_mm, outward_row(borders_mm, v_mm, is_reversed),
+              window);
+  });
   if (count.wanted == 0) return 0.0;
   return static_cast<double>(count.open) / static_cast<double>(count.wanted);
 }
@@ -249,19 +256,12 @@ std::vector<Vec3> points_opened(const RebuiltKerf& kerf, const simulator::KerfFi
                                 double step_mm) {
   const KerfPlane& plane = kerf.section.plane;
   std::vector<Vec3> points_mm;
-  for (std::size_t index = 0; index < kerf.section.regions.size(); ++index) {
-    if (kerf.is_touched[index] == 0) continue;
-    const SectionRegion& region = kerf.section.regions[index];
-    const GridWindow grid = window_of(region.min_mm, region.max_mm, step_mm);
-    for (std::int64_t v = grid.v_first; v <= grid.v_last; ++v) {
-      const double v_mm = static_cast<double>(v) * step_mm;
-      const std::vector<double> borders_mm = bone_borders_mm(region, v_mm);
-      for (std::size_t border = 0; border + 1 < borders_mm.size(); border += 2) {
-        add_opened_row(points_mm, plane, field, {borders_mm[border], borders_mm[border + 1]}, v_mm,
-                       step_mm);
-      }
+  for_each_row(kerf, step_mm, [&](const std::vector<double>& borders_mm, double v_mm) {
+    for (std::size_t border = 0; border + 1 < borders_mm.size(); border += 2) {
+      add_opened_row(points_mm, plane, field, {borders_mm[border], borders_mm[border + 1]}, v_mm,
+                     step_mm);
     }
-  }
+  });
   return points_mm;
 }
 

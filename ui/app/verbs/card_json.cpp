@@ -12,30 +12,30 @@ ordered_json named_or_null(std::string_view name) {
   return name.empty() ? ordered_json() : ordered_json(name);
 }
 
-double points(std::int64_t milli) { return static_cast<double>(milli) / 1000.0; }
-
 }  // namespace
+
+double points_from(std::int64_t milli) noexcept { return static_cast<double>(milli) / 1000.0; }
 
 ordered_json card_summary_json(const database::ScoreCard& card, bool is_confirmed) {
   ordered_json groups = ordered_json::array();
   for (const database::GroupScore& group : card.groups) {
     groups.push_back({{"name", group.name},
-                      {"weight", points(group.weight_milli)},
-                      {"measured_weight", points(group.measured_milli)},
-                      {"earned", points(group.earned_milli)}});
+                      {"weight", points_from(group.weight_milli)},
+                      {"measured_weight", points_from(group.measured_milli)},
+                      {"earned", points_from(group.earned_milli)}});
   }
   ordered_json gates = ordered_json::array();
   for (const database::GateResult& gate : card.gates) {
     gates.push_back({{"name", gate.name},
                      {"triggered", gate.is_triggered},
-                     {"cap", points(gate.cap_milli)},
+                     {"cap", points_from(gate.cap_milli)},
                      {"value", gate.value},
                      {"limit", gate.limit},
                      {"unit", gate.unit},
                      {"text", gate.text}});
   }
-  return {{"score", points(card.score_milli)},
-          {"measured_weight", points(card.measured_milli)},
+  return {{"score", points_from(card.score_milli)},
+          {"measured_weight", points_from(card.measured_milli)},
           {"partial", card.measured_milli < card.rubric_milli},
           {"confirmed", is_confirmed},
           {"reviewed", card.is_reviewed},
@@ -58,9 +58,9 @@ ordered_json ledger_json(const database::ScoreCard& card) {
                         {"value", line.is_measured ? ordered_json(line.value) : ordered_json()},
                         {"target", line.target},
                         {"unit", line.unit},
-                        {"points_lost", points(card.shown_losses_milli.at(i))},
-                        {"rubric_points_lost", points(line.points_lost_milli)},
-                        {"rubric_weight", points(line.weight_milli)},
+                        {"points_lost", points_from(card.shown_losses_milli.at(i))},
+                        {"rubric_points_lost", points_from(line.points_lost_milli)},
+                        {"rubric_weight", points_from(line.weight_milli)},
                         {"start_us", line.start_us},
                         {"end_us", line.end_us},
                         {"place_in_bone_mm", line.place_in_bone_mm},

@@ -10,6 +10,8 @@
 
 namespace hallux::ui {
 
+/// Points as programs read them, from thousandths.
+double points_from(std::int64_t milli) noexcept;
 /// `score`, `measured_weight`, `groups`, `gates`, and what the score was computed with.
 /// is_confirmed  an instructor stands for this score
 nlohmann::ordered_json card_summary_json(const database::ScoreCard& card, bool is_confirmed);

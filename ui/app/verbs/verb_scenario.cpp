@@ -9,6 +9,7 @@
 
 #include "simulator/base/units.h"
 #include "ui/app/terminal/terminal_text.h"
+#include "ui/app/verbs/card_json.h"
 #include "ui/jobs/course/scenario_jobs.h"
 #include "ui/jobs/prove_scenario.h"
 #include "ui/sight/check_start_view.h"
@@ -104,16 +105,15 @@ ExitCode show_on(const VerbContext& context, const std::string& name) {
 ordered_json losses_json(const std::vector<LostPoints>& lost) {
   ordered_json list = ordered_json::array();
   for (const LostPoints& each : lost) {
-    list.push_back({{"item", each.item},
-                    {"points_lost", static_cast<double>(each.lost_milli) / 1000.0},
-                    {"text", each.text}});
+    list.push_back(
+        {{"item", each.item}, {"points_lost", points_from(each.lost_milli)}, {"text", each.text}});
   }
   return list;
 }
 
 ordered_json performance_json(const ProvedPerformance& performance) {
   return {{"name", performance.name},
-          {"score", static_cast<double>(performance.score_milli) / 1000.0},
+          {"score", points_from(performance.score_milli)},
           {"lost", losses_json(performance.lost)},
           {"expected", performance.expected},
           {"ok", performance.is_ok()},
@@ -122,7 +122,7 @@ ordered_json performance_json(const ProvedPerformance& performance) {
 
 void print_performance(std::ostream& out, const ProvedPerformance& performance) {
   out << (performance.is_ok() ? "  as expected  " : "  DIFFERS      ") << std::fixed
-      << std::setprecision(1) << static_cast<double>(performance.score_milli) / 1000.0 << "  "
+      << std::setprecision(1) << points_from(performance.score_milli) << "  "
       << terminal_text(performance.name) << "\n";
   for (const std::string& difference : performance.differences)
     out << "      " << terminal_text(difference) << "\n";

@@ -38,40 +38,37 @@ Change change_from(const std::string& text) {
                                  ": give what is to change and its value, as tilt:CUT=0");
 }
 
-double points(std::int64_t milli) { return static_cast<double>(milli) / 1000.0; }
-
 ordered_json proposal_json(const assessment::ProposedChange& proposed) {
   return {{"change", proposed.change.name},
           {"from", proposed.change.from},
           {"to", proposed.to},
           {"unit", proposed.change.unit},
           {"assumed", proposed.change.is_replaced},
-          {"gain", points(proposed.gain_milli)},
+          {"gain", points_from(proposed.gain_milli)},
           {"items", proposed.items}};
 }
 
 void answer_proposals(const VerbContext& context, const AttemptMaterial& material,
                       const assessment::WhatIf& what_if) {
   const assessment::Proposals proposals = what_if.propose(stages_on(context)("Trying changes"));
-  const double score = points(what_if.examination().card.score_milli);
+  const double score = points_from(what_if.examination().card.score_milli);
   if (context.json) {
     ordered_json changes = ordered_json::array();
     for (const auto& each : proposals.changes) changes.push_back(proposal_json(each));
-    write_json(
-        context.out,
-        {{"attempt", material.header.id.text},
-         {"score", score},
-         {"changes", std::move(changes)},
-         {"all",
-          {{"score", points(proposals.score_milli)}, {"gain", points(proposals.gain_milli)}}}});
+    write_json(context.out, {{"attempt", material.header.id.text},
+                             {"score", score},
+                             {"changes", std::move(changes)},
+                             {"all",
+                              {{"score", points_from(proposals.score_milli)},
+                               {"gain", points_from(proposals.gain_milli)}}}});
     return;
   }
   context.out << "score " << score << "\n";
   for (const auto& each : proposals.changes) {
     context.out << "  " << each.change.name << "  " << each.change.from << " -> " << each.to << " "
-                << each.change.unit << "  +" << points(each.gain_milli) << "\n";
+                << each.change.unit << "  +" << points_from(each.gain_milli) << "\n";
   }
-  context.out << "all of them together: " << points(proposals.score_milli) << "\n";
+  context.out << "all of them together: " << points_from(proposals.score_milli) << "\n";
 }
 
 void answer_changes(const VerbContext& context, const AttemptMaterial& material,
@@ -80,13 +77,13 @@ void answer_changes(const VerbContext& context, const AttemptMaterial& material,
   const std::int64_t gain_milli = outcome.card.score_milli - what_if.examination().card.score_milli;
   if (context.json) {
     write_json(context.out, {{"attempt", material.header.id.text},
-                             {"score", points(outcome.card.score_milli)},
-                             {"gain", points(gain_milli)},
+                             {"score", points_from(outcome.card.score_milli)},
+                             {"gain", points_from(gain_milli)},
                              {"ledger", ledger_json(outcome.card)}});
     return;
   }
-  context.out << "score " << points(outcome.card.score_milli) << " instead of "
-              << points(what_if.examination().card.score_milli) << "\n";
+  context.out << "score " << points_from(outcome.card.score_milli) << " instead of "
+              << points_from(what_if.examination().card.score_milli) << "\n";
 }
 
 ExitCode what_if_on(const VerbContext& context, const WhatIfOptions& options) {
