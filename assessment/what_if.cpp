@@ -13,6 +13,7 @@
 #include "assessment/measure_hinge.h"
 #include "assessment/number_text.h"
 #include "assessment/rebuild/moved_kerf.h"
+#include "scenarios/metric_names.h"
 #include "simulator/base/units.h"
 
 namespace hallux::assessment {
