@@ -1,8 +1,10 @@
 #include "assessment/assess.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
+#include "assessment/card_facts.h"
 #include "assessment/ledger.h"
 #include "assessment/measure_closing.h"
 #include "assessment/measure_cut.h"
@@ -11,8 +13,7 @@
 #include "assessment/measure_joint.h"
 #include "assessment/measure_piece.h"
 #include "assessment/measure_process.h"
-#include "assessment/rebuild/open_kerfs.h"
-#include "assessment/sawn_after_done.h"
+#include "assessment/process/sawn_after_done.h"
 #include "assessment/sentences.h"
 
 namespace hallux::assessment {
@@ -21,50 +22,44 @@ namespace {
 
 /// Of the whole work; the rest is to measure it.
 constexpr double rebuilt_share = 0.8;
-constexpr std::size_t samples_per_report = 4096;
 
-/// With each sample as the kerfs stood then.
-void follow_again(FollowedEffects& effects, const scenarios::Scenario& scenario,
-                  const simulator::Bone& bone, const simulator::Recording& recording,
-                  const Progress& progress) {
-  simulator::KerfSet kerfs(scenario.saw.blade, bone.world_from_bone);
-  const auto count = static_cast<double>(recording.samples.size());
-  open_kerfs(
-      kerfs, recording, [](std::int64_t) {},
-      [&](std::size_t index, const simulator::FieldWindow&) {
-        effects.follow(recording.samples[index], kerfs);
-        if (index % samples_per_report == 0) report(progress, static_cast<double>(index) / count);
-      });
-}
-
-/// Opens the kerfs once, and follows their heat on the way; of fields that were kept, which know no
-/// time between, in a way of its own.
+/// Opens the kerfs once, and follows their heat on the way.
 RebuiltBone rebuild_and_follow(FollowedEffects& effects, const scenarios::Scenario& scenario,
                                const simulator::Bone& bone, const simulator::Recording& recording,
-                               const Progress& progress, const OpenedFields* opened) {
-  const simulator::Blade& blade = scenario.saw.blade;
-  if (opened != nullptr) {
-    follow_again(effects, scenario, bone, recording, part_of(progress, 0.0, 0.5));
-    return rebuild(bone, blade, recording, part_of(progress, 0.5, 1.0), opened);
-  }
-  return rebuild(bone, blade, recording, progress, nullptr,
+                               const Progress& progress) {
+  return rebuild(bone, scenario.saw.blade, recording, progress, nullptr,
                  [&](const simulator::ToolSample& sample, const simulator::KerfSet& kerfs) {
                    effects.follow(sample, kerfs);
                  });
+}
+
+void find_faces(Examination& examination, const scenarios::Scenario& scenario,
+                const simulator::Recording& recording) {
+  for (std::size_t cut = 0; cut < examination.plan.cuts.size(); ++cut)
+    examination.faces.push_back(
+        faces_of_cut(examination.rebuilt, examination.plan, cut, {scenario.steps, recording}));
 }
 
 void add(std::vector<Measurement>& all, std::vector<Measurement> made) {
   std::move(made.begin(), made.end(), std::back_inserter(all));
 }
 
+/// With the first measurement of such a cut.
+void remark_sawn_after_done(std::vector<Measurement>& all, const Evidence& evidence) {
+  for (std::size_t cut = 0; cut < evidence.plan.cuts.size(); ++cut) {
+    const std::string& name = evidence.plan.cuts[cut].name;
+    const auto first = std::ranges::find(all, name, &Measurement::cut);
+    if (first != all.end() &&
+        is_sawn_after_done(evidence.scenario, name, evidence.faces[cut], evidence.recording))
+      first->remark = Remark::SawnAfterDone;
+  }
+}
+
 void measure_all(Examination& examination, const Evidence& evidence, const FollowedEffects& effects,
                  const Progress& progress) {
   std::vector<Measurement>& all = examination.measurements;
   all = measure_geometry(evidence);
-  for (std::size_t cut = 0; cut < evidence.plan.cuts.size(); ++cut) {
-    note_sawn_after_done(all, evidence.scenario, evidence.plan.cuts[cut].name, evidence.faces[cut],
-                         evidence.recording);
-  }
+  remark_sawn_after_done(all, evidence);
   add(all, measure_deeds(evidence, progress));
   add(all, measure_closings(evidence));
   add(all, measure_process(evidence, effects));
@@ -74,19 +69,32 @@ void measure_all(Examination& examination, const Evidence& evidence, const Follo
 
 Examination assess_fully(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                          const simulator::Recording& recording, std::string_view device_class,
-                         const Progress& progress, const OpenedFields* opened) {
+                         const Progress& progress) {
   // The plan comes first: a scenario that does not fit the bone is refused before the long work.
   scenarios::Plan plan = plan_on(scenario, bone);
   FollowedEffects effects(bone, scenario.saw, plan);
-  RebuiltBone rebuilt = rebuild_and_follow(effects, scenario, bone, recording,
-                                           part_of(progress, 0.0, rebuilt_share), opened);
+  RebuiltBone rebuilt =
+      rebuild_and_follow(effects, scenario, bone, recording, part_of(progress, 0.0, rebuilt_share));
   Examination examination{std::move(plan), std::move(rebuilt), {}, {}, {}};
-  for (std::size_t cut = 0; cut < examination.plan.cuts.size(); ++cut)
-    examination.faces.push_back(
-        faces_of_cut(examination.rebuilt, examination.plan, cut, {scenario.steps, recording}));
+  find_faces(examination, scenario, recording);
   const Evidence evidence{scenario, examination.plan, examination.rebuilt, examination.faces,
                           bone,     recording};
   measure_all(examination, evidence, effects, part_of(progress, rebuilt_share, 1.0));
+  examination.card =
+      score_measurements(scenario, examination.measurements, device_class, recording.engine);
+  return examination;
+}
+
+Examination examine_measured(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+                             const simulator::Recording& recording, std::string_view device_class,
+                             Measured measured, const Progress& progress) {
+  Examination examination{plan_on(scenario, bone),
+                          rebuild(bone, scenario.saw.blade, recording, progress, &measured.opened),
+                          {},
+                          {},
+                          {}};
+  find_faces(examination, scenario, recording);
+  examination.measurements = std::move(measured.measurements);
   examination.card =
       score_measurements(scenario, examination.measurements, device_class, recording.engine);
   return examination;
@@ -114,14 +122,9 @@ database::ScoreCard score_measurements(const scenarios::Scenario& scenario,
   card.scenario_version = scenario.version;
   card.engine = engine;
   card.is_reviewed = scenario.is_reviewed;
-  explain(card, scored, measurements);
+  add_facts(card, scored, measurements);
+  say(card);
   return card;
-}
-
-database::ScoreCard assess(const scenarios::Scenario& scenario, const simulator::Bone& bone,
-                           const simulator::Recording& recording, std::string_view device_class,
-                           const Progress& progress) {
-  return assess_fully(scenario, bone, recording, device_class, progress).card;
 }
 
 }  // namespace hallux::assessment

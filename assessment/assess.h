@@ -30,14 +30,27 @@ struct Examination {
 };
 
 /// device_class  of what the saw was led with; the rubric may have knots of its own for it
-/// `opened`, where it is given, are kept fields of the recording that save stamping them: for
-/// showing, never for a score that is stored, since nothing seals what was kept beside the
-/// recording.
 /// errors  Cancelled; ScenarioError where the scenario does not fit the bone (see plan_on)
 /// thread  any; the same arguments give the same card
 Examination assess_fully(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                          const simulator::Recording& recording, std::string_view device_class,
-                         const Progress& progress = {}, const OpenedFields* opened = nullptr);
+                         const Progress& progress = {});
+
+/// What was kept of an attempt that was examined before.
+struct Measured {
+  /// Computed from the recording by this version of the metrics.
+  std::vector<Measurement> measurements;
+  /// For showing: nothing seals what was kept beside the recording.
+  OpenedFields opened;
+};
+
+/// The same of what was kept: nothing is stamped and nothing measured. The card is made from the
+/// measurements alone, whatever the fields are.
+/// needs   the outputs of the recording
+/// errors  as above
+Examination examine_measured(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+                             const simulator::Recording& recording, std::string_view device_class,
+                             Measured measured, const Progress& progress = {});
 
 /// What the faces, hinges and pieces tell, and the margin to joints: what follows from where the
 /// kerfs lie.
@@ -48,10 +61,5 @@ std::vector<Measurement> measure_geometry(const Evidence& evidence);
 database::ScoreCard score_measurements(const scenarios::Scenario& scenario,
                                        std::span<const Measurement> measurements,
                                        std::string_view device_class, std::int32_t engine);
-
-/// The card alone.
-database::ScoreCard assess(const scenarios::Scenario& scenario, const simulator::Bone& bone,
-                           const simulator::Recording& recording, std::string_view device_class,
-                           const Progress& progress = {});
 
 }  // namespace hallux::assessment

@@ -123,19 +123,20 @@ void add_flatness(std::vector<Measurement>& measurements, const PlannedCut& plan
                                      {flatness->tick, flatness->tick}, flatness->point_in_bone_mm));
 }
 
-/// How far the face lies beyond the plan where it is deepest, and where it is shallowest, in the
-/// words of the bone.
-std::string edge_text(const CutFace& face, const FacePlane& planned) {
+/// How far the face lies beyond the plan where it is deepest, and where it is shallowest, and which
+/// way on the bone.
+Detail edges_of(const CutFace& face, const FacePlane& planned) {
   const Vec3 deepest = deepest_direction(face.plane, planned);
   const auto [shallow, deep] = std::minmax_element(
       face.samples_in_bone_mm.begin(), face.samples_in_bone_mm.end(),
       [&](const Vec3& a, const Vec3& b) { return glm::dot(a, deepest) < glm::dot(b, deepest); });
-  const auto said = [&](const Vec3& sample) {
-    const double off_mm = signed_distance_mm(planned, sample);
-    return value_text(std::abs(off_mm), "mm") + " too far " +
-           error_direction_text(off_mm, planned.normal);
-  };
-  return "there " + said(*deep) + ", opposite " + said(*shallow);
+  Detail edges{DetailKind::EdgesOff, {}, {}};
+  for (const Vec3& edge_mm : {*deep, *shallow}) {
+    const double off_mm = signed_distance_mm(planned, edge_mm);
+    edges.values.push_back(rounded_to_micro(std::abs(off_mm)));
+    edges.words.push_back(error_direction_text(off_mm, planned.normal));
+  }
+  return edges;
 }
 
 /// Turned in one plane of the bone, with the edge that lies further distal.
@@ -170,7 +171,7 @@ void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const C
                              metrics.worst_point_in_bone_mm));
   made.back().direction = scenarios::direction_text(deepest_direction(face.plane, plan));
   if (!is_along(planned)) {
-    made.back().detail = edge_text(face, plan);
+    made.back().detail = edges_of(face, plan);
     made.push_back(tilt(planned, Metric::TransverseTiltDeg, metrics.transverse_deg, frozen,
                         "medial", "lateral"));
     made.push_back(

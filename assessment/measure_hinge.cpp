@@ -90,11 +90,12 @@ Wedge measure_wedge(const CutEvidence& first, const CutEvidence& second,
 }
 
 /// Which wedge was taken and which was asked for, in numbers that a ruler can check.
-std::string wedge_text(const Wedge& wedge) {
-  return value_text(std::abs(wedge.made.wedge_deg), "deg") + " were taken out, the plan was " +
-         value_text(std::abs(wedge.planned.wedge_deg), "deg") + "; the base is " +
-         value_text(std::abs(wedge.made.base_mm), "mm") + " wide, the plan was " +
-         value_text(std::abs(wedge.planned.base_mm), "mm");
+Detail taken_and_planned(const Wedge& wedge) {
+  Detail both{DetailKind::WedgeTaken, {}, {}};
+  for (const double value :
+       {wedge.made.wedge_deg, wedge.planned.wedge_deg, wedge.made.base_mm, wedge.planned.base_mm})
+    both.values.push_back(rounded_to_micro(std::abs(value)));
+  return both;
 }
 
 /// The line in which the two faces meet, against the planned one.
@@ -135,12 +136,12 @@ void add_wedge(std::vector<Measurement>& made, const CutEvidence& first, const C
   Measurement& error = made[begin];
   set_value(error, std::abs(wedge.made.wedge_error_deg));
   error.direction = is_larger ? "large" : "small";
-  error.detail = wedge_text(wedge);
+  error.detail = taken_and_planned(wedge);
   const double lean_deg = wedge.made.wedge_sagittal_deg - wedge.planned.wedge_sagittal_deg;
   Measurement& sagittal = made[begin + 1];
   set_value(sagittal, std::abs(lean_deg));
   sagittal.direction = lean_deg > 0.0 ? "plantar" : "dorsal";
-  sagittal.detail = "closing it tips the toe";
+  sagittal.detail.kind = DetailKind::TipsToe;
   set_value(made[begin + 2], wedge.made.wedge_deg * wedge.planned.wedge_deg < 0.0 ? 1.0 : 0.0);
   set_value(made[begin + 3], std::copysign(1.0, wedge.planned.base_mm) * wedge.made.base_mm);
   const auto apex =
@@ -239,8 +240,8 @@ Measurement over_cut_measurement(const Evidence& evidence, const PlannedHinge& h
   const std::int64_t first_tick = has_passed ? *reach->passed_tick : reach->deepest_tick;
   set_moment(over_cut, first_tick, std::max(first_tick, reach->deepest_tick));
   if (has_passed) {
-    over_cut.detail =
-        "the hand felt " + value_text(reach->passing_force_newton, "N") + " as it broke through";
+    over_cut.detail = {
+        DetailKind::FeltThrough, {rounded_to_micro(reach->passing_force_newton)}, {}};
   }
   return over_cut;
 }

@@ -20,7 +20,8 @@ Measurement margin_of(const Evidence& evidence) {
       measured(Metric::JointMarginMm, margin->margin_mm,
                {kerf.first_cutting_tick, kerf.last_cutting_tick}, margin->place_in_bone_mm);
   made.bound = margin->bound_mm;
-  made.detail = "nearest to the " + evidence.plan.joint_surfaces[margin->surface].title;
+  made.detail = {
+      DetailKind::NearestJoint, {}, {evidence.plan.joint_surfaces[margin->surface].title}};
   return made;
 }
 

@@ -88,7 +88,7 @@ void add_to(ZoneSum& all, const ZoneSum& one) {
 }
 
 void add_zone(ProcessList& list, const ZoneSum& sum, const std::string& zone,
-              const std::string& detail, std::int64_t end_tick) {
+              const std::vector<std::string>& titles, std::int64_t end_tick) {
   const ZoneContacts at = sum.touched.value_or(ZoneContacts{0, end_tick, {0.0, 0.0, 0.0}});
   const Moment moment{at.first_tick, at.last_tick};
   for (const auto& [metric, value] :
@@ -97,18 +97,18 @@ void add_zone(ProcessList& list, const ZoneSum& sum, const std::string& zone,
         std::pair{Metric::DangerDepthMm, sum.depth_mm}}) {
     list.add(measured(metric, value, moment, at.place_in_bone_mm));
     list.last().zone = zone;
-    list.last().detail = detail;
+    if (!titles.empty()) list.last().detail = {DetailKind::Zones, {}, titles};
   }
 }
 
 /// The titles of the zones that were touched.
-std::string touched_text(const Evidence& evidence, const FollowedEffects& effects) {
-  std::string text;
+std::vector<std::string> touched_titles(const Evidence& evidence, const FollowedEffects& effects) {
+  std::vector<std::string> titles;
   for (std::size_t zone = 0; zone < evidence.plan.danger_zones.size(); ++zone) {
-    if (effects.zone(zone).contacts == 0) continue;
-    text += (text.empty() ? "" : ", ") + evidence.scenario.danger_zones[zone].title;
+    if (effects.zone(zone).contacts != 0)
+      titles.push_back(evidence.scenario.danger_zones[zone].title);
   }
-  return text;
+  return titles;
 }
 
 void add_zones(ProcessList& list, const Evidence& evidence, const FollowedEffects& effects) {
@@ -118,9 +118,9 @@ void add_zones(ProcessList& list, const Evidence& evidence, const FollowedEffect
     const ZoneSum sum = sum_of(effects, zone);
     add_to(all, sum);
     add_zone(list, sum, evidence.plan.danger_zones[zone].name,
-             evidence.scenario.danger_zones[zone].title, end_tick);
+             {evidence.scenario.danger_zones[zone].title}, end_tick);
   }
-  add_zone(list, all, "", touched_text(evidence, effects), end_tick);
+  add_zone(list, all, "", touched_titles(evidence, effects), end_tick);
 }
 
 void add_heat(ProcessList& list, const FollowedEffects& effects, std::int64_t end_tick) {
@@ -129,8 +129,8 @@ void add_heat(ProcessList& list, const FollowedEffects& effects, std::int64_t en
     list.add(measured(metric, value, {at.tick, place ? at.tick : end_tick}, at.place_in_bone_mm));
   };
   add(Metric::HotS, effects.heat().hot_s, effects.hot());
-  list.last().detail =
-      "the hottest reached " + value_text(effects.heat().hottest_celsius, "degrees Celsius");
+  list.last().detail = {
+      DetailKind::Hottest, {rounded_to_micro(effects.heat().hottest_celsius)}, {}};
   add(Metric::NecroticMm3, effects.heat().necrotic_mm3, effects.dead());
 }
 

@@ -98,10 +98,10 @@ void replace_in(std::vector<Measurement>& all, const std::vector<Measurement>& m
                                   [&](const Measurement& one) { return is_of_same(one, each); });
     if (old == all.end()) continue;
     const double done_fraction = old->done_fraction;
-    const std::string note = old->note;
+    const Remark remark = old->remark;
     *old = each;
     old->done_fraction = done_fraction;
-    old->note = note;
+    old->remark = remark;
   }
 }
 
@@ -281,6 +281,8 @@ std::vector<Measurement> WhatIf::measured_again(const std::vector<Change>& chang
 }
 
 WhatIfOutcome WhatIf::with(const std::vector<Change>& changes) const {
+  // What is unknown is refused before the long work.
+  for (const Change& change : changes) find(change.name);
   WhatIfOutcome outcome;
   outcome.measurements = examination_.measurements;
   if (moves(changes)) replace_in(outcome.measurements, measured_again(changes));
@@ -289,7 +291,7 @@ WhatIfOutcome WhatIf::with(const std::vector<Change>& changes) const {
     for (Measurement& each : outcome.measurements) {
       if (change_of(each) != change.name || !each.is_measured()) continue;
       each.value = rounded_to_micro(change.to);
-      each.note = "Assumed, not measured.";
+      each.remark = Remark::Assumed;
     }
   }
   outcome.card =

@@ -1,9 +1,30 @@
 #include "database/course/score_json.h"
 
+#include <algorithm>
+
+#include "database/course/detail_json.h"
 #include "database/store/database_error.h"
 #include "database/text/json_record.h"
 
 namespace hallux::database {
+
+template <>
+inline constexpr std::tuple fields_of<LineFacts>{Field{"title", &LineFacts::title},
+                                                 Field{"subject", &LineFacts::subject},
+                                                 Field{"target", &LineFacts::target},
+                                                 Field{"target_low", &LineFacts::target_low},
+                                                 Field{"target_high", &LineFacts::target_high},
+                                                 Field{"absence", &LineFacts::absence},
+                                                 Field{"done_fraction", &LineFacts::done_fraction},
+                                                 Field{"direction", &LineFacts::direction},
+                                                 Field{"detail", &LineFacts::detail},
+                                                 Field{"remark", &LineFacts::remark}};
+
+template <>
+inline constexpr std::tuple fields_of<Message>{
+    Field{"kind", &Message::kind}, Field{"line", &Message::line},
+    Field{"subject", &Message::subject}, Field{"done_fraction", &Message::done_fraction},
+    Field{"lost_milli", &Message::lost_milli}};
 
 template <>
 inline constexpr std::tuple fields_of<LedgerLine>{
@@ -20,6 +41,7 @@ inline constexpr std::tuple fields_of<LedgerLine>{
     Field{"start_us", &LedgerLine::start_us},
     Field{"end_us", &LedgerLine::end_us},
     Field{"place_in_bone_mm", &LedgerLine::place_in_bone_mm},
+    Field{"facts", &LedgerLine::facts},
     Field{"text", &LedgerLine::text}};
 
 template <>
@@ -35,6 +57,10 @@ inline constexpr std::tuple fields_of<GateResult>{Field{"name", &GateResult::nam
                                                   Field{"value", &GateResult::value},
                                                   Field{"limit", &GateResult::limit},
                                                   Field{"unit", &GateResult::unit},
+                                                  Field{"title", &GateResult::title},
+                                                  Field{"metric", &GateResult::metric},
+                                                  Field{"is_measured", &GateResult::is_measured},
+                                                  Field{"is_at_least", &GateResult::is_at_least},
                                                   Field{"text", &GateResult::text}};
 
 template <>
@@ -47,37 +73,109 @@ inline constexpr std::tuple fields_of<ScoreCard>{
     Field{"gates", &ScoreCard::gates},
     Field{"ledger", &ScoreCard::ledger},
     Field{"shown_losses_milli", &ScoreCard::shown_losses_milli},
+    Field{"messages", &ScoreCard::messages},
     Field{"sentences", &ScoreCard::sentences},
     Field{"scenario", &ScoreCard::scenario},
     Field{"scenario_version", &ScoreCard::scenario_version},
     Field{"rubric_version", &ScoreCard::rubric_version},
     Field{"engine", &ScoreCard::engine},
-    Field{"is_reviewed", &ScoreCard::is_reviewed}};
-
-std::string json_from_card(const ScoreCard& card) { return json_of(card).dump(); }
+    Field{"is_reviewed", &ScoreCard::is_reviewed},
+    Field{"form", &ScoreCard::form}};
 
 namespace {
 
-ScoreCard without_words(ScoreCard card) {
-  for (LedgerLine& line : card.ledger) line.text.clear();
-  for (GateResult& gate : card.gates) gate.text.clear();
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+/// What a card has in one of its forms and not in the other, with what stands for it there.
+struct FormFields {
+  json of_card, of_line, of_gate;
+};
+
+const FormFields& fields_only_in(CardForm form) {
+  static const FormFields words{{{"sentences", json::array()}}, {{"text", ""}}, {{"text", ""}}};
+  static const FormFields facts{
+      {{"messages", json::array()}, {"form", name_of(CardForm::Words)}},
+      {{"facts", json::parse(json_of(LineFacts{}).dump())}},
+      {{"title", ""}, {"metric", ""}, {"is_measured", false}, {"is_at_least", false}}};
+  return form == CardForm::Words ? words : facts;
+}
+
+/// Shows the card, each line and each gate with the fields that are theirs.
+template <typename Json, typename Visit>
+void visit_parts(Json& card, const FormFields& fields, Visit visit) {
+  visit(card, fields.of_card);
+  for (auto& line : card["ledger"]) visit(line, fields.of_line);
+  for (auto& gate : card["gates"]) visit(gate, fields.of_gate);
+}
+
+/// Whether the parts can be walked; what is wrong with others is said as they are read.
+bool has_parts(const json& card) {
+  const auto is_list = [&](const char* key) {
+    return card.contains(key) && card[key].is_array() &&
+           std::ranges::all_of(card[key], [](const json& each) { return each.is_object(); });
+  };
+  return card.is_object() && is_list("ledger") && is_list("gates");
+}
+
+CardForm other_than(CardForm form) {
+  return form == CardForm::Words ? CardForm::Facts : CardForm::Words;
+}
+
+}  // namespace
+
+std::string json_from_card(const ScoreCard& card) {
+  ordered_json json = json_of(card);
+  visit_parts(json, fields_only_in(other_than(card.form)),
+              [](ordered_json& part, const auto& absent) {
+                for (const auto& [key, value] : absent.items()) part.erase(key);
+              });
+  return json.dump();
+}
+
+namespace {
+
+/// Without what sentences are, or are made from.
+ScoreCard numbers_of(ScoreCard card) {
+  for (LedgerLine& line : card.ledger) {
+    line.text.clear();
+    line.facts = {};
+  }
+  for (GateResult& gate : card.gates) {
+    gate.text.clear();
+    gate.title.clear();
+    gate.metric.clear();
+    gate.is_measured = gate.is_at_least = false;
+  }
   card.sentences.clear();
+  card.messages.clear();
   card.is_reviewed = false;
+  card.form = CardForm::Words;
+  return card;
+}
+
+/// The text with the fields of the form that it has not.
+json with_both_forms(json card) {
+  if (!has_parts(card)) return card;
+  const CardForm form = card.contains("form") ? CardForm::Facts : CardForm::Words;
+  visit_parts(card, fields_only_in(other_than(form)), [](json& part, const json& absent) {
+    for (const auto& [key, value] : absent.items()) part[key] = value;
+  });
   return card;
 }
 
 }  // namespace
 
 bool is_same_score(const ScoreCard& one, const ScoreCard& other) {
-  return json_from_card(without_words(one)) == json_from_card(without_words(other));
+  return json_from_card(numbers_of(one)) == json_from_card(numbers_of(other));
 }
 
-ScoreCard card_from_json(std::string_view json) {
+ScoreCard card_from_json(std::string_view text) {
   /// A card of the greatest shipped rubric has 20 KB.
   constexpr JsonBounds bounds{std::size_t{4} << 20U, 6};
   try {
     ScoreCard card;
-    read_json(parse_json("it", json, bounds), "it", card);
+    read_json(with_both_forms(parse_json("it", text, bounds)), "it", card);
     return card;
   } catch (const DatabaseError& error) {
     throw DatabaseError{DatabaseErrorKind::Damaged,

@@ -57,28 +57,22 @@ ScoreId store_score_as_it_was(Database& database, const AttemptId& attempt, cons
   });
 }
 
-std::vector<StoredScore> load_scores(Database& database, const AttemptId& attempt) {
-  const AttemptHeader header = load_header(database, attempt);
-  return translating(database, "read the scores of attempt " + header.id.text, [&] {
-    auto rows = prepared(database,
-                         "SELECT score_id, stored_utc, superseded_by IS NULL, card_json FROM "
-                         "score JOIN attempt USING (attempt_id) WHERE uuid = ? "
-                         "ORDER BY score_id DESC",
-                         header.id.text);
-    return collected(rows, [](SQLite::Statement& row) {
-      StoredScore score;
-      read_columns(row, 0, score.id, score.stored_utc, score.is_in_force);
-      score.card = card_from_json(row.getColumn(3).getString());
-      return score;
-    });
-  });
-}
-
 std::optional<StoredScore> load_score(Database& database, const AttemptId& attempt) {
-  for (StoredScore& score : load_scores(database, attempt)) {
-    if (score.is_in_force) return std::move(score);
-  }
-  return std::nullopt;
+  const AttemptHeader header = load_header(database, attempt);
+  return translating(database, "read the score of attempt " + header.id.text,
+                     [&]() -> std::optional<StoredScore> {
+                       auto row = prepared(database,
+                                           "SELECT score_id, stored_utc, card_json FROM score JOIN "
+                                           "attempt USING (attempt_id) WHERE uuid = ? AND "
+                                           "superseded_by IS NULL",
+                                           header.id.text);
+                       if (!row.executeStep()) return std::nullopt;
+                       StoredScore score;
+                       std::string json;
+                       read_columns(row, 0, score.id, score.stored_utc, json);
+                       score.card = card_from_json(json);
+                       return score;
+                     });
 }
 
 }  // namespace hallux::database

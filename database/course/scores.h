@@ -16,7 +16,6 @@ namespace hallux::database {
 struct StoredScore {
   ScoreId id;
   std::string stored_utc;
-  bool is_in_force = false;
   ScoreCard card;
 };
 
@@ -38,8 +37,5 @@ Digest score_digest(std::string_view card_json, const AttemptId& attempt) noexce
 /// The score in force; nothing where the attempt was not scored yet.
 /// errors  DatabaseError
 std::optional<StoredScore> load_score(Database& database, const AttemptId& attempt);
-
-/// All scores of an attempt, newest first.
-std::vector<StoredScore> load_scores(Database& database, const AttemptId& attempt);
 
 }  // namespace hallux::database

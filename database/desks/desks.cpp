@@ -5,6 +5,7 @@
 
 #include "database/audit/audit.h"
 #include "database/course/begin_attempt.h"
+#include "database/course/measurements.h"
 #include "database/exchange/export_attempt.h"
 #include "database/recording/display_facts.h"
 #include "database/recording/recordings.h"
@@ -202,6 +203,19 @@ bool AttemptDesk::may(Action action, const AttemptHeader& header) {
 ScoreId AttemptDesk::store_score(const AttemptId& id, const ScoreCard& card) {
   return database::store_score(*database_, allowed_header(Action::StoreScore, id).id, card,
                                holder_.person);
+}
+
+std::optional<std::vector<Measurement>> AttemptDesk::measurements(const AttemptId& id,
+                                                                  const MeasuredBy& by) {
+  const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
+  note_view(header);
+  return load_measurements(*database_, header.id, by);
+}
+
+void AttemptDesk::store_measurements(const AttemptId& id, const MeasuredBy& by,
+                                     std::span<const Measurement> measurements) {
+  database::store_measurements(*database_, allowed_header(Action::StoreScore, id).id, by,
+                               measurements, holder_.person);
 }
 
 void AttemptDesk::export_attempt(const AttemptId& id, const std::filesystem::path& folder,

@@ -61,6 +61,11 @@ class AttemptDesk {
   /// the audit.
   bool may(Action action, const AttemptHeader& header);
   ScoreId store_score(const AttemptId& id, const ScoreCard& card);
+  /// What was measured of its recording before; nothing where it is to be measured again.
+  std::optional<std::vector<Measurement>> measurements(const AttemptId& id, const MeasuredBy& by);
+  /// Keeps what the recording measured, for later scores.
+  void store_measurements(const AttemptId& id, const MeasuredBy& by,
+                          std::span<const Measurement> measurements);
   /// Writes it as files into a folder of its own within `folder`.
   void export_attempt(const AttemptId& id, const std::filesystem::path& folder,
                       const MakeDerived& make_derived);

@@ -7,11 +7,23 @@ namespace hallux::database {
 
 namespace {
 
-constexpr const char* header =
+constexpr const char* number_columns =
     "kind,item,metric,group,unit,value,is_measured,target,weight_milli,points_lost_milli,"
-    "start_us,end_us,x_in_bone_mm,y_in_bone_mm,z_in_bone_mm,text\r\n";
+    "start_us,end_us,x_in_bone_mm,y_in_bone_mm,z_in_bone_mm";
+/// Of a card that brought its words.
+constexpr const char* word_columns = ",text";
+/// What words are made from.
+constexpr const char* fact_columns =
+    ",title,subject,target_low,target_high,absence,done_fraction,direction";
 
-std::string line_of(const LedgerLine& line) {
+std::string facts_of(const LineFacts& facts) {
+  return "," + csv_cell(facts.title) + "," + csv_cell(facts.subject) + "," +
+         csv_number(facts.target_low) + "," + csv_number(facts.target_high) + "," +
+         csv_cell(name_of(facts.absence)) + "," + csv_number(facts.done_fraction) + "," +
+         csv_cell(facts.direction);
+}
+
+std::string line_of(const LedgerLine& line, CardForm form) {
   std::string text{name_of(line.kind)};
   for (const std::string& word : {line.item, line.metric, line.group, line.unit}) {
     text += "," + csv_cell(word);
@@ -23,15 +35,17 @@ std::string line_of(const LedgerLine& line) {
     text += "," + std::to_string(number);
   }
   for (const double part : line.place_in_bone_mm) text += "," + csv_number(part);
-  return text + "," + csv_cell(line.text) + "\r\n";
+  text += form == CardForm::Words ? "," + csv_cell(line.text) : facts_of(line.facts);
+  return text + "\r\n";
 }
 
 }  // namespace
 
 ExchangeFile write_score_table(const std::filesystem::path& folder, const ScoreCard& card) {
   ExchangeWriter writer(folder, score_table_name);
-  writer.write(header);
-  for (const LedgerLine& line : card.ledger) writer.write(line_of(line));
+  writer.write(std::string(number_columns) +
+               (card.form == CardForm::Words ? word_columns : fact_columns) + "\r\n");
+  for (const LedgerLine& line : card.ledger) writer.write(line_of(line, card.form));
   return writer.finish();
 }
 

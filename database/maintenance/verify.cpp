@@ -113,6 +113,7 @@ Verification verify(Database& database, const Progress& progress) {
     check_contents(database, told, found);
     check_attempts(database, told, found);
     check_scores(database, told, found);
+    check_measurements(database, told);
     check_decisions_are_whole(database);
     check_audit(database, told, found);
     check_standings(database);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "database/course/measurements.h"
 #include "database/course/score_json.h"
 #include "database/store/sql.h"
 
@@ -57,7 +58,53 @@ bool is_as_its_card(const ScoreRow& row) {
   }
 }
 
+using NumberedDigest = std::pair<std::int64_t, Digest>;
+
+std::vector<NumberedDigest> sets_after(Database& database, std::int64_t last) {
+  auto rows = prepared(database,
+                       "SELECT measurement_set_id, digest FROM measurement_set WHERE "
+                       "measurement_set_id > ? ORDER BY measurement_set_id LIMIT ?",
+                       last, scores_at_once);
+  return rows_of(std::move(rows), &NumberedDigest::first, &NumberedDigest::second);
+}
+
+/// A row that is none, and lines that do not count up from 0, are no rows of a program.
+bool has_rows_of(Database& database, const NumberedDigest& set) {
+  const auto is_counted = single<bool>(
+      database,
+      "SELECT coalesce(max(line) + 1, 0) = count(*) FROM measurement WHERE measurement_set_id = ?",
+      set.first);
+  try {
+    return is_counted &&
+           measurements_digest(load_measurement_rows(database, set.first)) == set.second;
+  } catch (const DatabaseError& error) {
+    if (error.kind() != DatabaseErrorKind::Damaged) throw;
+    return false;
+  }
+}
+
 }  // namespace
+
+void check_measurements(Database& database, VerifyProgress& progress) {
+  progress.begin("the measurements", 0.92);
+  translating(database, "check the measurements", [&] {
+    const auto all = single<std::int64_t>(database, "SELECT count(*) FROM measurement_set");
+    std::int64_t done = 0;
+    for (auto some = sets_after(database, 0); !some.empty();
+         some = sets_after(database, some.back().first)) {
+      for (const NumberedDigest& set : some) {
+        if (!has_rows_of(database, set))
+          fail_altered(database, "a measurement of set " + std::to_string(set.first));
+        progress.tell(++done, all);
+      }
+    }
+    const auto stray = all_of<std::string>(
+        database,
+        "SELECT measurement_set_id FROM measurement WHERE measurement_set_id NOT IN "
+        "(SELECT measurement_set_id FROM measurement_set) LIMIT 1");
+    if (!stray.empty()) fail_altered(database, "a measurement of set " + stray.front());
+  });
+}
 
 void check_scores(Database& database, VerifyProgress& progress, Verification& found) {
   progress.begin("the scores", 0.9);

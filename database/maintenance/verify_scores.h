@@ -9,4 +9,8 @@ namespace hallux::database {
 /// errors  DatabaseError Damaged; Cancelled
 void check_scores(Database& database, VerifyProgress& progress, Verification& found);
 
+/// Every set of measurements has the rows that its digest is of, and no row is of none.
+/// errors  as above
+void check_measurements(Database& database, VerifyProgress& progress);
+
 }  // namespace hallux::database

@@ -36,6 +36,8 @@ constexpr std::array decisions{
     TableAccess{"erasure", Open},
     TableAccess{"hand_setting", Closed},
     TableAccess{"help_request", WithoutText},
+    TableAccess{"measurement", Open},
+    TableAccess{"measurement_set", Open},
     TableAccess{"membership", Open},
     TableAccess{"note", WithoutText},
     TableAccess{"note_reply", WithoutText},

@@ -1,4 +1,4 @@
-/// Recordings that end too soon or tell too little, through the whole of assess().
+/// Recordings that end too soon or tell too little, through the whole assessment.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "assessment/card_facts.h"
 #include "assessment/ledger.h"
 
 namespace hallux::assessment {
@@ -47,7 +48,8 @@ Measurement measured(const std::string& metric, double value, const std::string&
 
 ScoreCard explained(const Scenario& scenario, const std::vector<Measurement>& measurements) {
   ScoreCard card = score_rubric(scenario.rubric, measurements);
-  explain(card, scenario, measurements);
+  add_facts(card, scenario, measurements);
+  say(card);
   return card;
 }
 
@@ -147,13 +149,14 @@ Measurement of_hinge(const std::string& metric, double value) {
 
 TEST(Sentences, WithSeveralCutsEachLineSaysWhichItIsAbout) {
   Measurement wedge = of_hinge("wedge_error_deg", 5.4);
-  wedge.detail = "15.4 deg were taken out";
+  wedge.detail = {DetailKind::WedgeTaken, {15.4, 10.0, 3.5, 2.25}, {}};
   const ScoreCard card = explained(akin_like(), {measured("angle_deg", 0.4, "dorsal"), wedge});
   EXPECT_EQ(card.ledger[0].text,
             "First cut: The face is tilted 0.4 deg (full points to 1 deg): all 57.1 points.");
   EXPECT_EQ(card.ledger[1].text,
             "Lateral hinge: The wedge is 5.4 deg off the planned angle, too large: 15.4 deg were "
-            "taken out (full points to 0.5 deg): 38.2 of 42.9 points lost.");
+            "taken out, the plan was 10.0 deg; the base is 3.50 mm wide, the plan was 2.25 mm "
+            "(full points to 0.5 deg): 38.2 of 42.9 points lost.");
 }
 
 TEST(Sentences, AMetricOfACutIsNotOneOfAHingeOfTheSameName) {

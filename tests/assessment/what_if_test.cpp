@@ -152,7 +152,7 @@ TEST(WhatIf, AMetricOfTheWorkIsReplaced) {
   const Asked asked(AkinAttempt{});
   const WhatIfOutcome outcome = asked.what_if.with({{"irrigated_share", 0.6}});
   EXPECT_EQ(value_of(outcome, "irrigated_share", ""), 0.6);
-  EXPECT_FALSE(find_measurement(outcome.measurements, "irrigated_share", "")->note.empty());
+  EXPECT_EQ(find_measurement(outcome.measurements, "irrigated_share", "")->remark, Remark::Assumed);
   // Half way between none and all: half of 5 of the 68 points that are measured.
   const std::int64_t gain_milli = outcome.card.score_milli - asked.score_milli();
   EXPECT_NEAR(static_cast<double>(gain_milli), 100000.0 * 2.5 / 68.0, 1.0);

@@ -9,6 +9,7 @@
 #include "database/content/assets.h"
 #include "database/course/begin_attempt.h"
 #include "database/recording/recordings.h"
+#include "database/store/sql.h"
 #include "simulator/base/random.h"
 
 namespace hallux::database {
@@ -71,6 +72,30 @@ std::vector<simulator::DisplayFact> some_display_facts(std::int64_t ticks) {
   return facts;
 }
 
+std::vector<Measurement> some_measurements() {
+  Measurement angle;
+  angle.metric = "angle_deg";
+  angle.cut = "proximal_face";
+  angle.value = 3.141593;
+  angle.done_fraction = 0.75;
+  angle.bound = 0.01;
+  angle.direction = "dorsal";
+  angle.detail = {DetailKind::EdgesOff, {0.5, 1.0 / 3.0}, {"proximal", "distal"}};
+  angle.remark = Remark::SawnAfterDone;
+  angle.start_us = 1'000;
+  angle.end_us = 9'000'000;
+  angle.place_in_bone_mm = {0.1, -7.25, 1.0e-6};
+  Measurement wedge;
+  wedge.metric = "wedge_error_deg";
+  wedge.hinge = "lateral_hinge";
+  wedge.absence = Absence::NotMade;
+  Measurement contacts;
+  contacts.metric = "danger_contacts_count";
+  contacts.zone = "nerve";
+  contacts.detail = {DetailKind::Zones, {}, {"a nerve, \"dorsal\""}};
+  return {angle, wedge, contacts};
+}
+
 void produce(const simulator::Recording& recording, simulator::AttemptChannels& channels,
              std::span<const simulator::DisplayFact> facts) {
   const auto push = [&channels](auto& ring, const auto& row) {
@@ -103,6 +128,14 @@ AttemptId record(Database& database, const NewAttempt& attempt,
 
 std::int64_t check_recording(Database& database, const AttemptId& id) {
   return RecordingCheck{database}.check(load_header(database, id));
+}
+
+std::vector<KeptScore> kept_scores(Database& database, const AttemptId& id) {
+  return rows_of(prepared(database,
+                          "SELECT score_milli, superseded_by IS NULL FROM score JOIN attempt USING "
+                          "(attempt_id) WHERE uuid = ? ORDER BY score_id DESC",
+                          id),
+                 &KeptScore::score_milli, &KeptScore::is_in_force);
 }
 
 void tamper(const Database& database, const std::string& sql) {

@@ -2,10 +2,13 @@
 
 #include <utility>
 
+#include "assessment/metrics_version.h"
+#include "assessment/sentences.h"
 #include "database/content/assets.h"
 #include "database/recording/recordings.h"
 #include "scenarios/foot/first_metatarsal.h"
 #include "scenarios/hands/feeling_hand.h"
+#include "scenarios/plan_digest.h"
 #include "scenarios/simulation_setup.h"
 #include "simulator/base/check.h"
 #include "simulator/base/progress.h"
@@ -118,22 +121,52 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   outcome.quality = quality_of(outcome.loop, outcome.recorder);
   outcome.quality.device = set_up.hand->facts();
   outcome.recorder = recorder.finish(quality_json(outcome.quality));
-  outcome.card = score_attempt(load_attempt(database, desk, outcome.attempt), progress).card;
-  desk.store_score(outcome.attempt, outcome.card);
+  const AttemptMaterial material = load_attempt(database, desk, outcome.attempt);
+  assessment::Examination examination = score_attempt(material, progress);
+  store_examination(desk, material, examination);
+  outcome.card = std::move(examination.card);
   return outcome;
 }
 
-AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk& desk,
-                             const database::AttemptId& id, database::RecordingPart part) {
+namespace {
+
+/// Without its recording.
+AttemptMaterial load_patient(database::Database& database, database::AttemptDesk& desk,
+                             const database::AttemptId& id) {
   AttemptMaterial material;
   material.header = desk.header(id);
   const database::ScenarioText text =
       get_scenario_version(database, material.header.begun.scenario);
   material.scenario = scenarios::parse_scenario(text.json, text.name);
   material.bone = simulator::decode_bone(get_asset(database, material.header.begun.bone));
+  return material;
+}
+
+void load_recording(database::AttemptDesk& desk, AttemptMaterial& material,
+                    database::RecordingPart part) {
   material.recording = desk.recording(material.header.id, part);
   material.recording.engine = material.header.begun.engine;
+}
+
+}  // namespace
+
+AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk& desk,
+                             const database::AttemptId& id) {
+  AttemptMaterial material = load_patient(database, desk, id);
+  load_recording(desk, material, database::RecordingPart::Whole);
   return material;
+}
+
+MeasuredMaterial load_measured(database::Database& database, database::AttemptDesk& desk,
+                               const database::AttemptId& id) {
+  MeasuredMaterial measured{load_patient(database, desk, id), std::nullopt};
+  AttemptMaterial& attempt = measured.attempt;
+  measured.measurements = desk.measurements(
+      attempt.header.id, measured_by(attempt.scenario, attempt.header.begun.bone));
+  load_recording(
+      desk, attempt,
+      measured.measurements ? database::RecordingPart::Outputs : database::RecordingPart::Whole);
+  return measured;
 }
 
 std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& material,
@@ -152,6 +185,25 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
   if (is_cancelled) throw Cancelled("stopped while replaying; nothing was changed");
   if (report) report(1.0);
   return result;
+}
+
+database::MeasuredBy measured_by(const scenarios::Scenario& scenario, const Digest& bone) {
+  return {plan_digest(scenario, bone), assessment::metrics_version};
+}
+
+void store_examination(database::AttemptDesk& desk, const AttemptMaterial& material,
+                       const assessment::Examination& examination) {
+  const database::AttemptId& id = material.header.id;
+  desk.store_score(id, examination.card);
+  desk.store_measurements(id, measured_by(material.scenario, material.header.begun.bone),
+                          examination.measurements);
+}
+
+std::optional<database::StoredScore> told_score(database::AttemptDesk& desk,
+                                                const database::AttemptId& id) {
+  std::optional<database::StoredScore> score = desk.score(id);
+  if (score) assessment::say(score->card);
+  return score;
 }
 
 assessment::Examination score_attempt(const AttemptMaterial& material,

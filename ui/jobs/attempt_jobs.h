@@ -97,15 +97,38 @@ struct AttemptMaterial {
   simulator::Recording recording;
 };
 
-/// part    of its recording; a replay needs all of it, a score the outputs
 /// errors  DatabaseError: NotFound, Refused, Damaged
 AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk& desk,
-                             const database::AttemptId& id,
-                             database::RecordingPart part = database::RecordingPart::Whole);
+                             const database::AttemptId& id);
+
+/// An attempt with what was measured of it before; then of its recording the outputs, else the
+/// whole.
+struct MeasuredMaterial {
+  AttemptMaterial attempt;
+  std::optional<std::vector<assessment::Measurement>> measurements;
+};
+
+/// errors  DatabaseError: NotFound, Refused, Damaged
+MeasuredMaterial load_measured(database::Database& database, database::AttemptDesk& desk,
+                               const database::AttemptId& id);
 
 /// Nothing where the attempt was made by another engine version: a replay would prove nothing.
 std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& material,
                                                       const StageProgress& progress);
+
+/// What the measurements of a recording depend on beside it.
+database::MeasuredBy measured_by(const scenarios::Scenario& scenario, const Digest& bone);
+
+/// Stores the score, and the measurements it was made from for later ones.
+/// needs   the material's whole recording was examined
+/// errors  DatabaseError
+void store_examination(database::AttemptDesk& desk, const AttemptMaterial& material,
+                       const assessment::Examination& examination);
+
+/// The score in force, in words.
+/// errors  DatabaseError
+std::optional<database::StoredScore> told_score(database::AttemptDesk& desk,
+                                                const database::AttemptId& id);
 
 /// errors  Cancelled
 assessment::Examination score_attempt(const AttemptMaterial& material,

@@ -130,14 +130,16 @@ OpenedFields fields_of(const AttemptMaterial& material, const std::filesystem::p
 
 assessment::Examination examine_kept(const AttemptMaterial& material,
                                      const std::filesystem::path& data_directory,
+                                     std::vector<assessment::Measurement> measurements,
                                      const StageProgress& progress) {
-  const Progress reached = progress("Scoring");
+  const Progress reached = progress("Examining");
   return cancelled_as("stopped while examining; nothing was changed", [&] {
-    const OpenedFields fields =
-        fields_of(material, data_directory, part_of(reached, 0.0, fields_share));
-    return assessment::assess_fully(material.scenario, material.bone, material.recording,
-                                    material.header.begun.device_class,
-                                    part_of(reached, fields_share, 1.0), &fields);
+    assessment::Measured measured{
+        std::move(measurements),
+        fields_of(material, data_directory, part_of(reached, 0.0, fields_share))};
+    return assessment::examine_measured(material.scenario, material.bone, material.recording,
+                                        material.header.begun.device_class, std::move(measured),
+                                        part_of(reached, fields_share, 1.0));
   });
 }
 

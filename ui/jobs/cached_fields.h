@@ -22,11 +22,11 @@ assessment::OpenedFields fields_of(const AttemptMaterial& material,
                                    const std::filesystem::path& data_directory,
                                    const Progress& progress = {});
 
-/// What score_attempt examines, from what is kept where it is: for an attempt whose score is stored
-/// already.
+/// What score_attempt examines, of an attempt that was measured before: for showing.
 /// errors  Cancelled
 assessment::Examination examine_kept(const AttemptMaterial& material,
                                      const std::filesystem::path& data_directory,
+                                     std::vector<assessment::Measurement> measurements,
                                      const StageProgress& progress);
 
 /// The name under which an attempt's fields are kept.

@@ -1,7 +1,9 @@
 #include "ui/jobs/rescore_jobs.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "database/content/assets.h"
 #include "database/course/score_json.h"
@@ -73,16 +75,61 @@ bool is_of_one_attempt(const DatabaseError& error) noexcept {
   return error.kind() == DatabaseErrorKind::NotFound || error.kind() == DatabaseErrorKind::Damaged;
 }
 
-RescoredAttempt rescored(database::Database& database, const Listed& listed,
-                         const std::optional<scenarios::Scenario>& scenario,
-                         const StageProgress& progress) {
+/// Scores one attempt after the other: from what was measured of it before where that is kept, else
+/// from its recording.
+class Rescorer {
+ public:
+  /// scenario  whose text scores; nothing: that of each attempt
+  Rescorer(database::Database& database, std::optional<scenarios::Scenario> scenario, bool is_dry)
+      : database_(database), scenario_(std::move(scenario)), is_dry_(is_dry) {}
+
+  /// The card after, and the measurements kept unless it is a dry run.
+  database::ScoreCard score(const Listed& listed, const StageProgress& progress) {
+    const database::AttemptHeader& header = listed.header;
+    const scenarios::Scenario& scenario = scenario_ ? *scenario_ : text_of(header);
+    if (const auto kept = listed.desk->measurements(header.id, by(scenario, header))) {
+      return assessment::score_measurements(scenario, *kept, header.begun.device_class,
+                                            header.begun.engine);
+    }
+    AttemptMaterial material = load_attempt(database_, *listed.desk, header.id);
+    material.scenario = scenario;
+    assessment::Examination examination = score_attempt(material, progress);
+    if (!is_dry_)
+      listed.desk->store_measurements(header.id, by(scenario, header), examination.measurements);
+    return std::move(examination.card);
+  }
+
+ private:
+  /// Of another version one text, of their own the attempts of one version one.
+  const scenarios::Scenario& text_of(const database::AttemptHeader& header) {
+    const database::ScenarioVersionId version = header.begun.scenario;
+    const auto known = texts_.find(version);
+    if (known != texts_.end()) return known->second;
+    const database::ScenarioText text = database::get_scenario_version(database_, version);
+    return texts_.emplace(version, scenarios::parse_scenario(text.json, text.name)).first->second;
+  }
+  /// Attempts of one text on one bone have the same.
+  const database::MeasuredBy& by(const scenarios::Scenario& scenario,
+                                 const database::AttemptHeader& header) {
+    const std::pair key{&scenario, header.begun.bone};
+    const auto known = measured_by_.find(key);
+    if (known != measured_by_.end()) return known->second;
+    return measured_by_.emplace(key, measured_by(scenario, header.begun.bone)).first->second;
+  }
+
+  database::Database& database_;
+  std::optional<scenarios::Scenario> scenario_;
+  bool is_dry_;
+  std::map<database::ScenarioVersionId, scenarios::Scenario> texts_;
+  std::map<std::pair<const scenarios::Scenario*, Digest>, database::MeasuredBy> measured_by_;
+};
+
+RescoredAttempt rescored(Rescorer& rescorer, const Listed& listed, const StageProgress& progress) {
   RescoredAttempt attempt;
   attempt.header = listed.header;
   try {
     if (auto score = listed.desk->score(listed.header.id)) attempt.before = std::move(score->card);
-    AttemptMaterial material = load_attempt(database, *listed.desk, listed.header.id);
-    if (scenario) material.scenario = *scenario;
-    attempt.after = score_attempt(material, progress).card;
+    attempt.after = rescorer.score(listed, progress);
   } catch (const DatabaseError& error) {
     if (!is_of_one_attempt(error)) throw;
     attempt.fault = error.what();
@@ -113,7 +160,7 @@ std::vector<RescoredAttempt> rescore(database::Database& database,
                             "' that could be scored from here; `hallux attempts` lists those "
                             "there are");
   }
-  const auto scenario = scoring_scenario(database, listed, rescoring);
+  Rescorer rescorer(database, scoring_scenario(database, listed, rescoring), rescoring.is_dry_run);
   std::vector<RescoredAttempt> attempts;
   long stored = 0;
   for (const Listed& each : listed) {
@@ -121,7 +168,7 @@ std::vector<RescoredAttempt> rescore(database::Database& database,
     if (progress && !progress(done)) stop(attempts.size(), listed.size(), stored);
     const StageProgress stage = [&](const std::string&) { return part_of(progress, done, done); };
     try {
-      attempts.push_back(rescored(database, each, scenario, stage));
+      attempts.push_back(rescored(rescorer, each, stage));
     } catch (const Cancelled&) {
       stop(attempts.size(), listed.size(), stored);
     }

@@ -39,7 +39,9 @@ TEST(JointMargin, OfASideBesideTheKerfIsItsWallsDistance) {
   // The kept wall lies in z = -8, the block's lateral side in z = 8.
   const ExaminedAttempt made = examined(with_joint({0.0, 0.0, 1.0}), {Stroke{}});
   EXPECT_NEAR(made.value("joint_margin_mm"), 16.0, pose_mm);
-  EXPECT_NE(made.found("joint_margin_mm").detail.find("side of the block"), std::string::npos);
+  const Detail& nearest = made.found("joint_margin_mm").detail;
+  EXPECT_EQ(nearest.kind, DetailKind::NearestJoint);
+  EXPECT_NE(nearest.words.at(0).find("side of the block"), std::string::npos);
   // The wall beyond the kerf is the nearer one to the medial side.
   EXPECT_NEAR(examined(with_joint({0.0, 0.0, -1.0}), {Stroke{}}).value("joint_margin_mm"), 3.5,
               pose_mm);

@@ -17,7 +17,12 @@ ScoreCard some_card() {
   card.measured_milli = 50'000;
   card.rubric_milli = 100'000;
   card.groups = {{"accuracy", 50'000, 50'000, 43'827}, {"safety", 22'000, 0, 0}};
-  card.gates = {{"sulcus", 59'000, true, 1.25, 1.0, "mm", "The cut went 1.25 mm too far."}};
+  card.gates.emplace_back();
+  card.gates.back().name = "sulcus";
+  card.gates.back().cap_milli = 59'000;
+  card.gates.back().is_triggered = true;
+  card.gates.back().value = 1.25;
+  card.gates.back().text = "The cut went 1.25 mm too far.";
   LedgerLine line;
   line.kind = LedgerKind::Damping;
   line.item = "A1";
@@ -46,6 +51,44 @@ TEST(CardJson, GivesBackTheSameCard) {
   EXPECT_EQ(back.gates.at(0).is_triggered, true);
   EXPECT_EQ(back.groups.at(1).name, "safety");
   EXPECT_EQ(back.sentences, some_card().sentences);
+}
+
+/// As this program stores it.
+ScoreCard card_of_facts() {
+  ScoreCard card = some_card();
+  card.form = CardForm::Facts;
+  card.gates[0].title = "Sulcus";
+  card.gates[0].is_measured = true;
+  card.ledger[0].facts.title = "Angle";
+  card.ledger[0].facts.target = TargetKind::Between;
+  card.ledger[0].facts.done_fraction = 0.5;
+  card.ledger[0].facts.detail = {DetailKind::WedgeTaken, {15.4, 8.0}, {"one", "two"}};
+  card.messages = {{MessageKind::CutUnfinished, 0, "Proximal face", 0.5, 12'300}};
+  return card;
+}
+
+TEST(CardJson, KeepsWhatWordsAreMadeFromAndNoWords) {
+  const std::string json = json_from_card(card_of_facts());
+  EXPECT_EQ(json.find("too far"), std::string::npos);
+  EXPECT_EQ(json.find("steep"), std::string::npos);
+  const ScoreCard back = card_from_json(json);
+  EXPECT_EQ(json_from_card(back), json);
+  EXPECT_EQ(back.form, CardForm::Facts);
+  EXPECT_EQ(back.ledger.at(0).facts.detail, card_of_facts().ledger[0].facts.detail);
+  EXPECT_EQ(back.messages.at(0).kind, MessageKind::CutUnfinished);
+  EXPECT_TRUE(back.gates.at(0).is_measured);
+  EXPECT_TRUE(back.sentences.empty());
+}
+
+TEST(CardJson, OfAnOlderProgramHasItsWordsAndIsTheSameScore) {
+  const std::string json = json_from_card(some_card());
+  for (const char* key : {"facts", "messages", "form", "is_at_least"})
+    EXPECT_EQ(json.find(key), std::string::npos) << key;
+  EXPECT_EQ(card_from_json(json).ledger.at(0).text, some_card().ledger[0].text);
+  EXPECT_TRUE(is_same_score(some_card(), card_of_facts()));
+  ScoreCard other = card_of_facts();
+  other.ledger[0].value += 1.0e-6;
+  EXPECT_FALSE(is_same_score(some_card(), other));
 }
 
 TEST(CardJson, SurvivesANumberThatIsNone) {

@@ -281,12 +281,12 @@ TEST_F(Course, WordsAreNoScore) {
     card.sentences.emplace_back("Said otherwise.");
     return card;
   };
-  const std::size_t before = load_scores(database(), id).size();
+  const std::size_t before = kept_scores(database(), id).size();
   store_score(database(), id, said_otherwise());
-  EXPECT_EQ(load_scores(database(), id).size(), before);
+  EXPECT_EQ(kept_scores(database(), id).size(), before);
   EXPECT_TRUE(desk.header(id).decision_is_of_score_in_force);
   store_score_as_it_was(database(), id, said_otherwise(), std::nullopt);
-  EXPECT_EQ(load_scores(database(), id).size(), before + 1) << "of another directory all is kept";
+  EXPECT_EQ(kept_scores(database(), id).size(), before + 1) << "of another directory all is kept";
 }
 
 TEST_F(Course, VoidsAnAttemptAndTakesItBack) {

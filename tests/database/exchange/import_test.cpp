@@ -153,11 +153,11 @@ TEST(Import, KeepsWhatTheMachineSaidThereAndScoresAnewHere) {
   TwoDirectories two;
   const AttemptId id = two.course().scored_by("ada", 50'000);
   two.import(two.exported(id));
-  const std::vector<StoredScore> scores = load_scores(two.there(), id);
+  const std::vector<KeptScore> scores = kept_scores(two.there(), id);
   ASSERT_EQ(scores.size(), 2U);
-  EXPECT_EQ(scores[0].card.score_milli, 12'345);
+  EXPECT_EQ(scores[0].score_milli, 12'345);
   EXPECT_TRUE(scores[0].is_in_force);
-  EXPECT_EQ(scores[1].card.score_milli, 50'000);
+  EXPECT_EQ(scores[1].score_milli, 50'000);
 }
 
 TEST(Import, AnotherAttemptUnderTheSameUuidIsRefusedAndNamed) {

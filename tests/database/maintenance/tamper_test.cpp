@@ -8,6 +8,7 @@
 #include <set>
 #include <thread>
 
+#include "database/course/measurements.h"
 #include "database/maintenance/verify.h"
 #include "database/recording/display_facts.h"
 #include "database/store/changed_rows.h"
@@ -45,6 +46,8 @@ class FullCourse : public SomeCourse {
     instructor("lee", spring()).decide({second, DecisionKind::Confirmed, 0, "seen"});
     administrator().add_person_with_code({"newer", "", false}, cheap);
     administrator().correct_name("eve", "Eve of Spring");
+    for (const AttemptId& id : {first, second})
+      store_measurements(database(), id, {Digest{{1}}, 1}, some_measurements(), std::nullopt);
     store_display_facts(database(), number_of(second), some_display_facts(300));
   }
 
@@ -185,6 +188,9 @@ TEST_F(Tampering, WithARowAddedIsNamed) {
         "scenario_version_id, 'published', 1, '2026-01-01' FROM scenario_version LIMIT 1",
         "INSERT INTO note (attempt_id, author_person_id, moment_us, is_private, text, written_utc) "
         "SELECT attempt_id, author_person_id, 1, 0, 'mine', written_utc FROM note LIMIT 1",
+        "INSERT INTO measurement SELECT 77, line, metric, cut, hinge, zone, value, absence, "
+        "done_fraction, bound, direction, detail_json, remark, start_us, end_us, x_in_bone_mm, "
+        "y_in_bone_mm, z_in_bone_mm FROM measurement LIMIT 1",
         "INSERT INTO simulated_course VALUES (1, '2026-01-01')"}) {
     const std::optional<bool> found = is_named(sql);
     EXPECT_TRUE(found.value_or(true)) << sql;

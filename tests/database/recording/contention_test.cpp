@@ -69,7 +69,9 @@ Written write_and_be_killed(const std::filesystem::path& directory, std::size_t 
     const std::int32_t next =
         written.acknowledged + 1 +
         static_cast<std::int32_t>(random.uniform(0.0, 2.0 * writes_each / (kills_each + 1)));
-    const std::int32_t kill_at = written.kills < kills_each ? next : writes_each + 1;
+    // Who is killed after the last write and before its word is heard has nothing more to say.
+    const bool is_to_be_killed = written.kills < kills_each && next < writes_each - 1;
+    const std::int32_t kill_at = is_to_be_killed ? next : writes_each + 1;
     KilledChild child{{"write", directory.string(), "writer-" + std::to_string(writer),
                        std::to_string(writes_each)}};
     is_done = let_write(child, kill_at, written);

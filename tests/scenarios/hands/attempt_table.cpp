@@ -31,7 +31,8 @@ bool is_of_deed(const database::GateResult& gate) {
 AttemptRow row_of(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                   const char* hand, std::uint64_t seed) {
   const simulator::Recording recording = run_hand(scenario, bone, hand, seed).recording;
-  const database::ScoreCard card = assessment::assess(scenario, bone, recording, "scripted");
+  const database::ScoreCard card =
+      assessment::assess_fully(scenario, bone, recording, "scripted").card;
   AttemptRow row;
   row.score = static_cast<double>(card.score_milli) / 1000.0;
   row.is_measured = true;

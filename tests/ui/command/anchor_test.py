@@ -3,7 +3,7 @@
 
 import unittest
 
-from hallux_command import BAD_INPUT, CHECK_FAILED, DONE, RecordedTest
+from hallux_command import BAD_INPUT, CHECK_FAILED, DONE, RecordedTest, coarse_silver
 
 
 class Anchors(RecordedTest):
@@ -11,8 +11,8 @@ class Anchors(RecordedTest):
         return self.write("anchor.txt", text or self.ask("anchor")["anchor"] + "\n")
 
     def act(self):
-        """One more act of the audit."""
-        self.ask("score", self.attempt)
+        """More acts of the audit; the newest stores measurements."""
+        self.ask("attempt", self.write("coarse.json", coarse_silver()), "--seed", 2)
 
     def cut_off_the_newest_act(self):
         [(newest, )] = self.query("SELECT max(audit_id) FROM audit")
@@ -21,8 +21,8 @@ class Anchors(RecordedTest):
             self.alter(f"DROP TRIGGER {name}")
         self.alter("DELETE FROM audit_row WHERE audit_id = ?", (newest, ))
         self.alter("DELETE FROM audit WHERE audit_id = ?", (newest, ))
-        self.alter("UPDATE score SET superseded_by = NULL WHERE superseded_by = (SELECT max(score_id) FROM score)")
-        self.alter("DELETE FROM score WHERE score_id = (SELECT max(score_id) FROM score)")
+        for table in ("measurement", "measurement_set"):
+            self.alter(f"DELETE FROM {table} WHERE measurement_set_id = (SELECT max(measurement_set_id) FROM measurement_set)")
         for _, sql in made:
             self.alter(sql)
 

@@ -54,7 +54,39 @@ class Rescored(RecordedTest):
         self.assertEqual(self.query("SELECT count(*) FROM audit WHERE action = 'score_stored'")[0][0], audited[0][0] + 1)
         self.assertEqual(self.ask("rescore", "silver")["stored"], 0)
 
+    def forget_measurements(self):
+        """As in a directory of an older program, which kept none."""
+        for table in ("measurement", "measurement_set"):
+            [(name, sql)] = self.query("SELECT name, sql FROM sqlite_schema WHERE type = 'trigger' AND tbl_name = ? AND name "
+                                       "LIKE '%deleted'", (table,))
+            self.alter(f"DROP TRIGGER {name}")
+            self.alter(f"DELETE FROM {table}")
+            self.alter(sql)
+
+    def otherwise_weighted(self):
+        """The next version of the coarse scenario: two items of a group have changed weights."""
+        scenario = coarse_silver()
+        scenario["version"] += 1
+        scenario["rubric"]["version"] += 1
+        first, second = [item for item in scenario["rubric"]["items"] if item["group"] == "accuracy"][:2]
+        first["weight"], second["weight"] = second["weight"], first["weight"]
+        self.assertNotEqual(first["weight"], second["weight"])
+        return scenario
+
+    def test_other_weights_score_what_was_measured_without_the_recording(self):
+        scenario = self.otherwise_weighted()
+        self.ask("attempt", self.write("other.json", scenario), "--seed", 2)
+        again = ["rescore", "silver", "--with-version", scenario["version"], "--dry-run"]
+        kept = self.ask(*again)["rows"]
+        self.assertEqual(kept[0]["after"]["rubric_version"], scenario["rubric"]["version"])
+        self.forget_measurements()
+        self.assertEqual(self.ask(*again)["rows"], kept, "measured again from the recordings")
+        self.ask(*[word for word in again if word != "--dry-run"])
+        self.alter("DELETE FROM chunk")
+        self.assertEqual([row["after"] for row in self.ask(*again)["rows"]], [row["after"] for row in kept])
+
     def test_an_attempt_that_cannot_be_read_is_named_and_the_answer_says_so(self):
+        self.forget_measurements()
         self.alter("DELETE FROM chunk WHERE seq = 3")
         answer = self.ask("rescore", "silver", code=CHECK_FAILED)
         self.assertEqual(answer["not_scored"], 1)
@@ -63,6 +95,7 @@ class Rescored(RecordedTest):
     def test_it_tells_how_far_it_is_and_stops_when_asked(self):
         for seed in range(2, 5):
             self.ask("attempt", self.write("coarse.json", coarse_silver()), "--seed", seed)
+        self.forget_measurements()
         before = self.scores()
         process = self.start("rescore", "silver", "--dry-run")
         for said in process.stderr:

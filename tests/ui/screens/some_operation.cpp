@@ -137,9 +137,10 @@ database::AttemptId operated_by(database::SomeCourse& course, const std::string&
   begun.bone = put_asset(database, "bone", encode_bone(operation.bone));
   database::AttemptId id = record(database, begun, operation.recording, facts);
   if (is_scored) {
-    store_score(database, id,
-                assessment::assess(scenario, operation.bone, operation.recording, "scripted"),
-                course.id_of(login));
+    store_score(
+        database, id,
+        assessment::assess_fully(scenario, operation.bone, operation.recording, "scripted").card,
+        course.id_of(login));
   }
   return id;
 }

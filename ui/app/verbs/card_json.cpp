@@ -76,18 +76,19 @@ ordered_json measurements_json(std::span<const assessment::Measurement> measurem
     const scenarios::MetricName* metric = scenarios::find_metric(each.metric);
     const bool is_measured = each.is_measured();
     const Vec3& place = each.place_in_bone_mm;
-    ordered_json row = {{"metric", each.metric},
-                        {"cut", named_or_null(each.cut)},
-                        {"hinge", named_or_null(each.hinge)},
-                        {"zone", named_or_null(each.zone)},
-                        {"value", is_measured ? ordered_json(each.value) : ordered_json()},
-                        {"unit", metric == nullptr ? "" : metric->unit},
-                        {"bound", is_measured ? ordered_json(each.bound) : ordered_json()},
-                        {"done_fraction", each.done_fraction},
-                        {"start_us", each.start_us},
-                        {"end_us", each.end_us},
-                        {"place_in_bone_mm", {place.x, place.y, place.z}},
-                        {"not_measured_because", named_or_null(reason_of(each.absence))}};
+    ordered_json row = {
+        {"metric", each.metric},
+        {"cut", named_or_null(each.cut)},
+        {"hinge", named_or_null(each.hinge)},
+        {"zone", named_or_null(each.zone)},
+        {"value", is_measured ? ordered_json(each.value) : ordered_json()},
+        {"unit", metric == nullptr ? "" : metric->unit},
+        {"bound", is_measured ? ordered_json(each.bound) : ordered_json()},
+        {"done_fraction", each.done_fraction},
+        {"start_us", each.start_us},
+        {"end_us", each.end_us},
+        {"place_in_bone_mm", {place.x, place.y, place.z}},
+        {"not_measured_because", named_or_null(assessment::reason_of(each.absence))}};
     list.push_back(std::move(row));
   }
   return list;

@@ -57,7 +57,7 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
     }
     const assessment::Examination examination = score_attempt(material, stages_on(context));
     const database::ScoreCard& card = examination.card;
-    if (is_stored) desk.store_score(material.header.id, card);
+    if (is_stored) store_examination(desk, material, examination);
     const database::AttemptHeader header = header_about(desk, material.header.id, card);
     if (context.json) {
       ordered_json answer = {{"attempt", material.header.id.text},

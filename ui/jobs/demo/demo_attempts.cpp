@@ -54,8 +54,11 @@ OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAtte
     throw Cancelled("stopped while operating; nothing was stored");
   }
   drain(channels, operated.recording);
-  operated.card = assessment::assess(operation.scenario, operation.bone, operated.recording,
-                                     "scripted", part_of(progress, operating_part, 1.0));
+  assessment::Examination examination =
+      assessment::assess_fully(operation.scenario, operation.bone, operated.recording, "scripted",
+                               part_of(progress, operating_part, 1.0));
+  operated.card = std::move(examination.card);
+  operated.measurements = std::move(examination.measurements);
   return operated;
 }
 

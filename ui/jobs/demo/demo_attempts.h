@@ -27,6 +27,7 @@ struct OperatedAttempt {
   simulator::Recording recording;
   simulator::LoopStatistics loop;
   database::ScoreCard card;
+  std::vector<assessment::Measurement> measurements;
 };
 
 /// The attempt in virtual time, kept in memory, and its score. Where the hand's aim misses the

@@ -14,6 +14,7 @@
 #include "database/content/assets.h"
 #include "database/course/simulated_course.h"
 #include "simulator/mesh/bone.h"
+#include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/course/course_jobs.h"
 
 namespace hallux::ui {
@@ -120,6 +121,7 @@ void DemoPeople::found(const std::vector<DemoOperation>& operated) {
     begun.scenario = versions_[i];
     begun.bone = put_asset(database_, "bone", simulator::encode_bone(operated[i].bone));
     begun_.push_back(begun);
+    measured_by_.push_back(measured_by(operated[i].scenario, begun.bone));
   }
 }
 
@@ -178,6 +180,8 @@ DemoPeople::Kept DemoPeople::keep(const OperatedAttempt& operated) {
   push_all(operated.recording, channels);
   recorder.finish(quality_json(quality_of(operated.loop, recorder.drain())));
   desk.store_score(recorder.attempt(), operated.card);
+  desk.store_measurements(recorder.attempt(), measured_by_[planned.scenario],
+                          operated.measurements);
   session.sign_out();
 
   Kept kept;

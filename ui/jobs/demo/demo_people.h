@@ -60,6 +60,7 @@ class DemoPeople {
   std::vector<database::ScenarioVersionId> versions_;
   /// What attempts at each operation have in common.
   std::vector<database::NewAttempt> begun_;
+  std::vector<database::MeasuredBy> measured_by_;
   database::CohortId cohort_a_, cohort_b_;
 };
 

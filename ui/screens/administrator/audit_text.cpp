@@ -45,6 +45,7 @@ constexpr auto deeds = std::to_array<Deed>({
     {"attempt_abandoned", "audit.attempt_abandoned"},
     {"attempt_viewed", "audit.attempt_viewed"},
     {"score_stored", "audit.score_stored"},
+    {"measurements_stored", "audit.measurements_stored"},
     {"note_written", "audit.note_written"},
     {"note_replied", "audit.note_replied"},
     {"help_asked", "audit.help_asked"},
@@ -125,11 +126,12 @@ constexpr auto tries = std::to_array<Deed>({
 });
 
 /// Kinds of subjects that have a number, not a name.
-constexpr std::array<Deed, 8> kinds{{
+constexpr std::array<Deed, 9> kinds{{
     {"attempt", "audit.kind.attempt"},
     {"attempt_limit", "audit.kind.attempt_limit"},
     {"decision", "audit.kind.decision"},
     {"score", "audit.kind.score"},
+    {"measurement_set", "audit.kind.measurement_set"},
     {"note", "audit.kind.note"},
     {"help_request", "audit.kind.help_request"},
     {"session", "audit.kind.session"},

@@ -1,6 +1,8 @@
 // Versions of operations and the sheet of the chosen one. Publishing retires the version that was
-// published: the question says which. The sheet is the text that a surgeon signs, set as it is
-// printed: lines by their indent, heads darker, origins lighter.
+// published: the question says which. What is published is proven first, beside the window: a
+// rubric that does not tell a good performance from a bad one reaches no trainee. The sheet is the
+// text that a surgeon signs, set as it is printed: lines by their indent, heads darker, origins
+// lighter.
 #include "ui/screens/administrator/scenarios_screen.h"
 
 #include <algorithm>
@@ -8,6 +10,7 @@
 #include "simulator/base/progress.h"
 #include "ui/jobs/course/course_jobs.h"
 #include "ui/jobs/course/scenario_jobs.h"
+#include "ui/jobs/publish_scenario.h"
 #include "ui/screens/parts/course_text.h"
 #include "ui/screens/parts/page.h"
 #include "ui/sight/check_start_view.h"
@@ -233,8 +236,9 @@ void ScenariosScreen::draw_chosen(Ui& ui, const Rect& rect, Shell& shell) {
 
 void ScenariosScreen::draw_actions(Ui& ui, Rect& rest, const ScenarioVersion& version) {
   const bool is_published = version.state == ScenarioState::Published;
-  const ButtonSpec act{ui.text(is_published ? "scenarios.retire" : "scenarios.publish"),
-                       is_published ? ButtonLook::Danger : ButtonLook::Secondary};
+  ButtonSpec act{ui.text(is_published ? "scenarios.retire" : "scenarios.publish"),
+                 is_published ? ButtonLook::Danger : ButtonLook::Secondary};
+  if (proving_.is_running()) act.why_off = ui.text("button.busy");
   if (button_in_line(ui, is_published ? "scenarios.retire" : "scenarios.publish",
                      take_top(rest, button_height, 14.0F), act))
     asked_ = Asked{version, !is_published};
@@ -335,6 +339,8 @@ void ScenariosScreen::draw_question(Ui& ui, Shell& shell) {
   } else {
     consequence = ui.text("scenarios.ask_publish.sentence");
   }
+  if (asked_->is_publishing)
+    consequence += "\n" + std::string(ui.text("scenarios.ask_publish.proof"));
   if (asked_->is_publishing && !version.is_reviewed)
     consequence += "\n" + std::string(ui.text("scenarios.ask_publish.not_reviewed"));
   const Answer answer =
@@ -344,22 +350,58 @@ void ScenariosScreen::draw_question(Ui& ui, Shell& shell) {
                 ui.text("scenarios.keep"), !asked_->is_publishing});
   if (answer == Answer::Waiting) return;
   const Asked asked = *std::exchange(asked_, std::nullopt);
-  if (answer == Answer::Act) change(ui, shell, asked);
+  if (answer != Answer::Act) return;
+  asked.is_publishing ? publish(ui, shell, asked.version) : retire(ui, shell, asked.version);
 }
 
-void ScenariosScreen::change(Ui& ui, Shell& shell, const Asked& asked) {
-  const char* said = asked.is_publishing ? "scenarios.was_published" : "scenarios.was_retired";
-  work_.change_course(ui, shell, signed_in_,
-                      {[id = asked.version.id,
-                        is_publishing = asked.is_publishing](database::AdministratorDesk& desk) {
-                         if (is_publishing) {
-                           desk.publish_scenario(id);
-                         } else {
-                           desk.retire_scenario(id);
-                         }
-                       },
-                       ui.texts().say(said, {{"version", name_text(ui.texts(), asked.version)}}),
-                       [this] { versions_.read_again(); }});
+namespace {
+
+/// The last share of the work writes.
+constexpr double proved_share = 0.98;
+
+void prove_and_publish(SignedInSession& signed_in, database::ScenarioVersionId id,
+                       WorkReport& report) {
+  const database::ScenarioText text =
+      signed_in.in_turn([&](database::Session& session, database::Database&) {
+        return administrator_of(session).scenario_text(id);
+      });
+  prove_to_publish(scenarios::parse_scenario(text.json, text.name),
+                   [&report](double done) { return report.reached(proved_share * done); });
+  signed_in.in_turn([&](database::Session& session, database::Database&) {
+    administrator_of(session).publish_scenario(id);
+  });
+}
+
+}  // namespace
+
+void ScenariosScreen::publish(Ui& ui, Shell& shell, const ScenarioVersion& version) {
+  const Texts& texts = ui.texts();
+  const std::string name = name_text(texts, version);
+  proving_.start(
+      shell, texts.say("scenarios.proving", {{"version", name}}),
+      [signed_in = signed_in_, id = version.id](WorkReport& report) {
+        prove_and_publish(*signed_in, id, report);
+      },
+      [this, &shell, &texts, name](WorkEnd end, const std::string& reason) {
+        if (end == WorkEnd::Failed) {
+          shell.say({Meaning::Bad, texts.say("scenarios.not_published", {{"version", name}}),
+                     sentence_of(reason)});
+        } else if (end == WorkEnd::Cancelled) {
+          shell.say({Meaning::Info, texts.say("scenarios.not_published", {{"version", name}})});
+        } else {
+          shell.say({Meaning::Good, texts.say("scenarios.was_published", {{"version", name}}),
+                     std::string(texts.text("scenarios.was_proven"))});
+        }
+        versions_.read_again();
+      });
+}
+
+void ScenariosScreen::retire(Ui& ui, Shell& shell, const ScenarioVersion& version) {
+  work_.change_course(
+      ui, shell, signed_in_,
+      {[id = version.id](database::AdministratorDesk& desk) { desk.retire_scenario(id); },
+       ui.texts().say("scenarios.was_retired", {{"version", name_text(ui.texts(), version)}}),
+       [this] { versions_.read_again(); }});
 }
 
 }  // namespace hallux::ui

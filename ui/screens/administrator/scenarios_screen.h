@@ -41,7 +41,8 @@ class ScenariosScreen : public Screen {
   void draw_import_dialog(Ui& ui, Shell& shell);
   void draw_question(Ui& ui, Shell& shell);
   void import(Ui& ui, Shell& shell);
-  void change(Ui& ui, Shell& shell, const Asked& asked);
+  void publish(Ui& ui, Shell& shell, const database::ScenarioVersion& version);
+  void retire(Ui& ui, Shell& shell, const database::ScenarioVersion& version);
 
   std::shared_ptr<SignedInSession> signed_in_;
   Loaded<std::vector<database::ScenarioVersion>> versions_;
@@ -53,6 +54,8 @@ class ScenariosScreen : public Screen {
   PathDialog chooser_;
   std::optional<Asked> asked_;
   DeskWork work_, importing_;
+  /// Takes a minute: the session is free meanwhile.
+  ScreenWork proving_;
 };
 
 }  // namespace hallux::ui

@@ -114,9 +114,10 @@ void score_operation(SignedInSession& signed_in, const database::AttemptId& atte
         database::TraineeDesk desk = desk_of(session);
         return load_attempt(database, desk, attempt);
       });
-  const database::ScoreCard card = score_attempt(material, stages_of(report, 1.0)).card;
+  const assessment::Examination examination = score_attempt(material, stages_of(report, 1.0));
   signed_in.in_turn([&](database::Session& session, database::Database&) {
-    desk_of(session).store_score(attempt, card);
+    database::TraineeDesk desk = desk_of(session);
+    store_examination(desk, material, examination);
   });
 }
 

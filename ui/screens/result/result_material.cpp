@@ -58,13 +58,17 @@ StageProgress stages_on(WorkReport& report) {
 struct LoadedAttempt {
   AttemptMaterial attempt;
   std::filesystem::path directory;
+  /// Before, if it was.
+  std::optional<std::vector<assessment::Measurement>> measurements;
 };
 
 LoadedAttempt load_for(SignedInSession& signed_in, const database::AttemptId& id) {
   return signed_in.in_turn([&](database::Session& session, database::Database& database) {
     database::AttemptDesk desk = desk_or_refused(session.desk_for(Action::ViewAttempt, id),
                                                  "this account may not see attempts any more");
-    return LoadedAttempt{load_attempt(database, desk, id), database.directory()};
+    MeasuredMaterial measured = load_measured(database, desk, id);
+    return LoadedAttempt{std::move(measured.attempt), database.directory(),
+                         std::move(measured.measurements)};
   });
 }
 
@@ -72,14 +76,22 @@ bool is_to_be_scored(const database::AttemptHeader& header) {
   return !header.score_milli && header.state == AttemptState::Closed;
 }
 
-bool store_where_missing(SignedInSession& signed_in, const database::AttemptHeader& header,
-                         const database::ScoreCard& card) {
-  if (!is_to_be_scored(header)) return false;
+/// The score where there is none, and what it is made from where that is not kept. Whether the
+/// score was stored.
+bool store_where_missing(SignedInSession& signed_in, const LoadedAttempt& loaded,
+                         const Examination& examination) {
+  const database::AttemptHeader& header = loaded.attempt.header;
+  if (loaded.measurements || header.state != AttemptState::Closed) return false;
   return signed_in.in_turn([&](database::Session& session, auto&) {
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::StoreScore, header.id);
     if (!desk || !desk->may(Action::StoreScore, header)) return false;
-    desk->store_score(header.id, card);
-    return true;
+    if (is_to_be_scored(header)) {
+      store_examination(*desk, loaded.attempt, examination);
+      return true;
+    }
+    desk->store_measurements(header.id, measured_by(loaded.attempt.scenario, header.begun.bone),
+                             examination.measurements);
+    return false;
   });
 }
 
@@ -212,7 +224,7 @@ ResultFacts read_result(SignedInSession& signed_in, const database::AttemptId& i
     facts.header = header_for(session, id);
     std::optional<database::AttemptDesk> desk =
         session.desk_for(Action::ViewAttempt, facts.header.id);
-    facts.score = desk->score(facts.header.id);
+    facts.score = told_score(*desk, facts.header.id);
     facts.decisions = desk->decisions(facts.header.id);
     facts.scenario = read_scenario_of(database, facts.header);
     facts.rights = rights_to(session, facts.header);
@@ -228,9 +240,10 @@ std::shared_ptr<const ExaminedAttempt> examine_attempt(SignedInSession& signed_i
   const AttemptMaterial& material = loaded.attempt;
   report.reached(read_share);
   // What was kept beside the recording serves to show, never to score.
-  const Examination examination = is_to_be_scored(material.header)
-                                      ? score_attempt(material, stages_on(report))
-                                      : examine_kept(material, loaded.directory, stages_on(report));
+  const Examination examination =
+      loaded.measurements && !is_to_be_scored(material.header)
+          ? examine_kept(material, loaded.directory, *loaded.measurements, stages_on(report))
+          : score_attempt(material, stages_on(report));
   auto examined = std::make_shared<ExaminedAttempt>();
   examined->card = examination.card;
   examined->world_from_bone = material.bone.world_from_bone;
@@ -239,7 +252,7 @@ std::shared_ptr<const ExaminedAttempt> examine_attempt(SignedInSession& signed_i
   }
   examined->effects = effects_of(material, examination, report);
   add_pictures(*examined, loaded, examination, report);
-  examined->was_stored = store_where_missing(signed_in, material.header, examination.card);
+  examined->was_stored = store_where_missing(signed_in, loaded, examination);
   report.reached(1.0);
   return examined;
 }

@@ -150,6 +150,22 @@ struct ScenarioFile {
   std::filesystem::path path;
 };
 
+/// An operation of another name whose patient is built and sawn in a moment, with the shipped
+/// Silver's rubric and no fault to prove it by. `lists_impossible` adds one that costs nothing of
+/// what it is said to cost.
+std::filesystem::path quick_scenario(database::SomeCourse& course, bool lists_impossible = false) {
+  const auto silver =
+      std::ranges::find(list_scenarios(), std::string("silver"), &scenarios::Scenario::name);
+  auto text = nlohmann::ordered_json::parse(silver->text);
+  text["name"] = "eminence";
+  text["patient"]["edge_mm"] = 1;
+  text["proof"] = nlohmann::ordered_json::array();
+  if (lists_impossible) text["proof"].push_back({{"fault", "dry"}, {"items", {"A1"}}});
+  std::filesystem::path path = course.database().directory() / "eminence.json";
+  std::ofstream(path) << text.dump(1);
+  return path;
+}
+
 void import(Desk<ScenariosScreen>& desk, const std::filesystem::path& file) {
   desk.press("scenarios.import");
   desk.type(file.string());
@@ -165,24 +181,37 @@ database::ScenarioVersion version_of(database::SomeCourse& course, const std::st
 
 TEST(ScenariosScreen, AFileIsCheckedImportedReadPublishedAndRetired) {
   database::SomeCourse course;
-  const ScenarioFile file(course);
+  const std::filesystem::path file = quick_scenario(course);
   Desk<ScenariosScreen> desk(course);
-  import(desk, file.path);
+  import(desk, file);
   EXPECT_TRUE(desk.driver().sees("The scenario was taken in as a draft"));
-  const database::ScenarioVersion akin = version_of(course, "akin");
-  EXPECT_EQ(akin.state, database::ScenarioState::Draft);
+  const database::ScenarioVersion draft = version_of(course, "eminence");
+  EXPECT_EQ(draft.state, database::ScenarioState::Draft);
   EXPECT_TRUE(desk.driver().sees("Indication")) << "its sheet";
   EXPECT_TRUE(desk.driver().sees("Not surgeon-reviewed"));
   desk.press("scenarios.publish");
   EXPECT_TRUE(desk.driver().sees("No surgeon has reviewed this version"));
+  EXPECT_TRUE(desk.driver().sees("Its rubric is proven first"));
   desk.press("scenarios.question.keep");
-  EXPECT_EQ(version_of(course, "akin").state, database::ScenarioState::Draft);
+  EXPECT_EQ(version_of(course, "eminence").state, database::ScenarioState::Draft);
   desk.press("scenarios.publish");
   desk.press("scenarios.question.act");
-  EXPECT_EQ(version_of(course, "akin").state, database::ScenarioState::Published);
+  EXPECT_EQ(version_of(course, "eminence").state, database::ScenarioState::Published);
+  EXPECT_TRUE(desk.driver().sees("Its rubric was proven"));
   desk.press("scenarios.retire");
   desk.press("scenarios.question.act");
-  EXPECT_EQ(version_of(course, "akin").state, database::ScenarioState::Retired);
+  EXPECT_EQ(version_of(course, "eminence").state, database::ScenarioState::Retired);
+}
+
+TEST(ScenariosScreen, ARubricThatIsNotProvenIsNotPublished) {
+  database::SomeCourse course;
+  Desk<ScenariosScreen> desk(course);
+  import(desk, quick_scenario(course, true));
+  desk.press("scenarios.publish");
+  desk.press("scenarios.question.act");
+  EXPECT_EQ(version_of(course, "eminence").state, database::ScenarioState::Draft);
+  EXPECT_TRUE(desk.driver().sees("is not published"));
+  EXPECT_TRUE(desk.driver().sees("dry: A1 loses 0 of"));
 }
 
 TEST(ScenariosScreen, AWrongFileIsRefusedWithTheWholeFault) {
@@ -241,16 +270,16 @@ TEST(ScenariosScreen, ASheetThatCannotBeReadSaysSo) {
 
 TEST(ScenariosScreen, IsUsedByKeyboardAlone) {
   database::SomeCourse course;
-  const ScenarioFile file(course);
+  const std::filesystem::path file = quick_scenario(course);
   Desk<ScenariosScreen> desk(course);
   press_by_keyboard(desk.visitor, "scenarios.import");
-  desk.type(file.path.string());
+  desk.type(file.string());
   desk.driver().press(Key::Enter);
   desk.visitor.finish_work();
   press_by_keyboard(desk.visitor, "scenarios.publish");
   EXPECT_EQ(desk.driver().focused(), "scenarios.question.keep") << "the safe answer";
   press_by_keyboard(desk.visitor, "scenarios.question.act");
-  EXPECT_EQ(version_of(course, "akin").state, database::ScenarioState::Published);
+  EXPECT_EQ(version_of(course, "eminence").state, database::ScenarioState::Published);
 }
 
 TEST(ScenariosScreen, NothingIsCutOffAnywhere) {

@@ -6,6 +6,7 @@
 
 #include "assessment/assess.h"
 #include "database/content/cached_bytes.h"
+#include "database/course/score_json.h"
 #include "simulator/base/progress.h"
 #include "tests/database/some_database.h"
 #include "tests/ui/screens/some_operation.h"
@@ -85,9 +86,10 @@ TEST(CachedFields, GiveTheScoreThatTheRecordingGives) {
   const World world;
   fields_of(world.material, world.temporary.data());
   const auto no_progress = [](const std::string&) { return Progress(); };
-  const assessment::Examination kept =
-      examine_kept(world.material, world.temporary.data(), no_progress);
   const assessment::Examination fresh = score_attempt(world.material, no_progress);
+  const assessment::Examination kept =
+      examine_kept(world.material, world.temporary.data(), fresh.measurements, no_progress);
+  EXPECT_EQ(database::json_from_card(kept.card), database::json_from_card(fresh.card));
   EXPECT_EQ(kept.card.score_milli, fresh.card.score_milli);
   EXPECT_EQ(kept.rebuilt.removed_mm3, fresh.rebuilt.removed_mm3);
   EXPECT_EQ(kept.rebuilt.piece_volumes_mm3, fresh.rebuilt.piece_volumes_mm3);

@@ -28,7 +28,8 @@ using testing::SizeIs;
 
 TEST(ResultScreen, ATraineeReadsScoreLedgerAndMarks) {
   OperatedCourse akin;
-  const auto stored = akin.course.trainee("ada").score(akin.attempt);
+  database::TraineeDesk ada = akin.course.trainee("ada");
+  const auto stored = told_score(ada, akin.attempt);
   Reader reader(akin.course, "ada", akin.attempt);
   Driver& driver = reader.driver();
   EXPECT_TRUE(driver.sees(points_text(stored->card.score_milli)));
@@ -60,7 +61,8 @@ TEST(ResultMarks, SayHowAnAttemptWasGuided) {
 
 TEST(ResultScreen, OfThreeThingsToTakeAwayOneWasDoneWell) {
   OperatedCourse akin;
-  const auto stored = akin.course.trainee("ada").score(akin.attempt);
+  database::TraineeDesk ada = akin.course.trainee("ada");
+  const auto stored = told_score(ada, akin.attempt);
   ASSERT_EQ(stored->card.sentences.size(), 3U) << "three losses, and still";
   Reader reader(akin.course, "ada", akin.attempt);
   int kept = 0;
@@ -84,7 +86,8 @@ TEST(ResultScreen, OnePointMeansTheSameInScoreLedgerGroupsAndSentences) {
   OperatedCourse akin;
   Reader reader(akin.course, "ada", akin.attempt);
   Driver& driver = reader.driver();
-  const database::ScoreCard card = akin.course.trainee("ada").score(akin.attempt)->card;
+  database::TraineeDesk ada = akin.course.trainee("ada");
+  const database::ScoreCard card = told_score(ada, akin.attempt)->card;
   ASSERT_LT(card.measured_milli, card.rubric_milli) << "else there is but one scale";
   const assessment::ShownPoints shown = assessment::shown_points(card);
   EXPECT_TRUE(driver.sees(points_text(shown.score_milli)));
@@ -298,7 +301,8 @@ TEST(ResultScreen, AScoreOfAnOlderProgramIsSaidInTodaysWords) {
   for (database::LedgerLine& line : older.ledger)
     line.text = "In other words " + line.item + ": 4.7 of 8 points lost.";
   older.sentences = {older.ledger[0].text};
-  store_score(akin.course.database(), akin.attempt, older, akin.course.id_of("ada"));
+  older.form = database::CardForm::Words;
+  store_score_as_it_was(akin.course.database(), akin.attempt, older, akin.course.id_of("ada"));
   Reader reader(akin.course, "ada", akin.attempt);
   EXPECT_FALSE(reader.driver().sees("In other words"));
   EXPECT_FALSE(reader.driver().sees("Computed again now")) << "the same score is no difference";

@@ -1,4 +1,4 @@
-#include "assessment/sawn_after_done.h"
+#include "assessment/process/sawn_after_done.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -12,8 +12,6 @@ namespace {
 using simulator::CutEventKind;
 using simulator::ToolSample;
 
-constexpr const char* note = "Some of this cut was sawn after Done; it counts as well.";
-
 std::optional<std::int32_t> step_of(const scenarios::Scenario& scenario, const std::string& cut) {
   for (std::size_t step = 0; step < scenario.steps.size(); ++step) {
     const scenarios::OperationStep& each = scenario.steps[step];
@@ -23,8 +21,8 @@ std::optional<std::int32_t> step_of(const scenarios::Scenario& scenario, const s
   return std::nullopt;
 }
 
-bool is_sawn_after_done(std::int32_t step, std::span<const CutFace> faces,
-                        const simulator::Recording& recording) {
+bool is_sawn_after(std::int32_t step, std::span<const CutFace> faces,
+                   const simulator::Recording& recording) {
   const auto is_of_cut = [&](const ToolSample& sample) {
     return has(sample.status, simulator::ToolStatus::Cutting) &&
            std::ranges::any_of(faces,
@@ -46,13 +44,10 @@ bool is_sawn_after_done(std::int32_t step, std::span<const CutFace> faces,
 
 }  // namespace
 
-void note_sawn_after_done(std::vector<Measurement>& measurements,
-                          const scenarios::Scenario& scenario, const std::string& cut,
-                          std::span<const CutFace> faces, const simulator::Recording& recording) {
-  const auto first = std::ranges::find(measurements, cut, &Measurement::cut);
-  if (first == measurements.end()) return;
+bool is_sawn_after_done(const scenarios::Scenario& scenario, const std::string& cut,
+                        std::span<const CutFace> faces, const simulator::Recording& recording) {
   const std::optional<std::int32_t> step = step_of(scenario, cut);
-  if (step && is_sawn_after_done(*step, faces, recording)) first->note = note;
+  return step && is_sawn_after(*step, faces, recording);
 }
 
 }  // namespace hallux::assessment
