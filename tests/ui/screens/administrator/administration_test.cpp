@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "tests/ui/screens/administrator/some_desk.h"
 #include "ui/jobs/course/scenario_jobs.h"
@@ -154,9 +155,7 @@ struct ScenarioFile {
 /// Silver's rubric and no fault to prove it by. `lists_impossible` adds one that costs nothing of
 /// what it is said to cost.
 std::filesystem::path quick_scenario(database::SomeCourse& course, bool lists_impossible = false) {
-  const auto silver =
-      std::ranges::find(list_scenarios(), std::string("silver"), &scenarios::Scenario::name);
-  auto text = nlohmann::ordered_json::parse(silver->text);
+  auto text = nlohmann::ordered_json::parse(scenarios::load_shipped_scenario("silver").text);
   text["name"] = "eminence";
   text["patient"]["edge_mm"] = 1;
   text["proof"] = nlohmann::ordered_json::array();
