@@ -113,6 +113,17 @@ std::int64_t lost_milli(const database::ScoreCard& card, const std::string& item
   return 0;
 }
 
+std::vector<std::string> lifted_gates(const database::ScoreCard& before,
+                                      const database::ScoreCard& after) {
+  std::vector<std::string> lifted;
+  for (const database::GateResult& was : before.gates) {
+    const auto now = std::ranges::find(after.gates, was.name, &database::GateResult::name);
+    if (was.is_triggered && now != after.gates.end() && !now->is_triggered)
+      lifted.push_back(was.name);
+  }
+  return lifted;
+}
+
 /// Towards the plan: the bridge that was planned, or no deviation.
 double planned_value(const KnownChange& change, const scenarios::Plan& plan) {
   for (const PlannedHinge& hinge : plan.hinges) {
@@ -325,7 +336,11 @@ Proposals WhatIf::propose(const Progress& progress) const {
     const database::ScoreCard card = with({all[index]}).card;
     const std::int64_t gain_milli = card.score_milli - examination_.card.score_milli;
     if (gain_milli <= 0) continue;
-    ProposedChange proposed{find(all[index].name), all[index].to, gain_milli, {}};
+    ProposedChange proposed{find(all[index].name),
+                            all[index].to,
+                            gain_milli,
+                            {},
+                            lifted_gates(examination_.card, card)};
     for (const RubricItem& item : scenario_.rubric.items) {
       if (lost_milli(card, item.id) < lost_milli(examination_.card, item.id))
         proposed.items.push_back(item.id);

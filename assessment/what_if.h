@@ -46,6 +46,8 @@ struct ProposedChange {
   std::int64_t gain_milli = 0;
   /// Of the rubric, those that lose less.
   std::vector<std::string> items;
+  /// Those that capped the score, and would not.
+  std::vector<std::string> lifted_gates;
 };
 
 struct Proposals {

@@ -2,7 +2,6 @@
 // forbids all else. It is put together from strings in the order in which it is read; titles,
 // sentences and facts pass `escaped` on their way in.
 #include "ui/report/html_report.h"
-#include "scenarios/metric_advice.h"
 
 #include <span>
 
@@ -85,6 +84,24 @@ std::string score_html(const ReportMaterial& material) {
   return html + "</ol></section>";
 }
 
+std::string what_if_row(const std::string& head, const std::string& body, const std::string& gain) {
+  return "<li><div><strong>" + escaped(head) + "</strong><br>" + escaped(body) +
+         "</div><span class=\"gain\">" + escaped(gain) + "</span></li>";
+}
+
+std::string what_if_html(const SaidWhatIf& said) {
+  if (said.changes.empty() && said.nothing.empty()) return "";
+  std::string html = "<section><h2>What would have earned more</h2>";
+  if (!said.nothing.empty()) html += "<p>" + escaped(said.nothing) + "</p>";
+  if (!said.changes.empty()) html += "<ul class=\"what-if\">";
+  for (const SaidChange& change : said.changes)
+    html += what_if_row(change.head, change.body, change.gain);
+  if (!said.together.empty())
+    html += what_if_row(said.together, said.together_score, said.together_gain);
+  if (!said.changes.empty()) html += "</ul>";
+  return html + "<p class=\"note\">" + escaped(what_if_note()) + "</p></section>";
+}
+
 std::string face_caption(const FacePicture& picture) {
   if (picture.dots.empty()) return "The planned face. Nothing was cut here.";
   const std::string colours = "Blue lies too far " + picture.below + ", vermilion too far " +
@@ -160,8 +177,9 @@ std::string footer_html(const ReportMaterial& material) {
 
 std::string html_report(const ReportMaterial& material) {
   return head_html(material) + "<body><main>" + header_html(material) + score_html(material) +
-         pictures_html(material) + gates_html(material) + ledger_html(material) +
-         traces_html(material) + footer_html(material) + "</main></body></html>\n";
+         what_if_html(material.what_if) + pictures_html(material) + gates_html(material) +
+         ledger_html(material) + traces_html(material) + footer_html(material) +
+         "</main></body></html>\n";
 }
 
 }  // namespace hallux::ui

@@ -3,6 +3,7 @@
 #include "assessment/number_text.h"
 #include "assessment/shown_points.h"
 #include "ui/report/html_text.h"
+#include "ui/report/measured_text.h"
 
 namespace hallux::ui {
 
@@ -55,6 +56,12 @@ std::string gate_row(const GateResult& gate, const std::string& title) {
          escaped(text) + "</li>";
 }
 
+/// Only metrics have an id of the rubric's.
+std::string item_cell(const LedgerLine& line) {
+  if (line.kind == LedgerKind::Gate) return "Gate";
+  return line.kind == LedgerKind::Damping ? "\xE2\x80\x93" : line.item;
+}
+
 std::string moment_cell(const LedgerLine& line) {
   if (!line.is_measured || line.end_us == 0) return "\xE2\x80\x93";
   std::string start = assessment::moment_text(line.start_us);
@@ -67,7 +74,7 @@ std::string value_cell(const LedgerLine& line) {
   if (!line.is_measured) return "\xE2\x80\x93";
   if (line.kind == LedgerKind::Damping)
     return assessment::number_text(100.0 * line.value, 0) + " %";
-  return assessment::value_text(line.value, line.unit);
+  return measured_text(line.value, line.unit);
 }
 
 std::string loss_cell(const LedgerLine& line, const ShownLine& shown) {
@@ -76,9 +83,8 @@ std::string loss_cell(const LedgerLine& line, const ShownLine& shown) {
 }
 
 std::string ledger_row(const LedgerLine& line, const ShownLine& shown) {
-  const bool is_gate = line.kind == LedgerKind::Gate;
   std::string row = line.points_lost_milli > 0 ? "<tr class=\"lost\">" : "<tr>";
-  row += "<td class=\"item\">" + escaped(is_gate ? "Gate" : line.item) + "</td>";
+  row += "<td class=\"item\">" + escaped(item_cell(line)) + "</td>";
   row += "<td class=\"text\">" + escaped(line.text) + "</td>";
   row += "<td class=\"number\">" + escaped(value_cell(line)) + "</td>";
   row += "<td class=\"number moment\">" + moment_cell(line) + "</td>";

@@ -10,6 +10,7 @@
 #include "database/records/score.h"
 #include "simulator/base/vector.h"
 #include "ui/report/traces.h"
+#include "ui/report/what_if_text.h"
 
 namespace hallux::ui {
 
@@ -80,6 +81,8 @@ struct ReportMaterial {
   std::optional<FrontalPicture> frontal;
   Traces traces;
   std::vector<ZoneContact> zones;
+  /// Empty leaves the section out.
+  SaidWhatIf what_if = {};
 };
 
 }  // namespace hallux::ui

@@ -97,6 +97,24 @@ TEST(Report, WhatIsLostAndTheScoreAreAHundredOnPageAndSheet) {
   EXPECT_NE(sheet.find("     -20  The face is tilted."), std::string::npos);
 }
 
+TEST(Report, SaysWhatWouldHaveEarnedMoreOrWhyNothing) {
+  ReportMaterial material = made_up();
+  EXPECT_EQ(html_report(material).find("What would have earned more"), std::string::npos);
+  material.what_if.changes = {{"Turned back", "Its edge lay too far", "+4.2 points", {"A1"}}};
+  std::string html = html_report(material);
+  EXPECT_LT(html.find("What cost the most"), html.find("What would have earned more"));
+  for (const char* words : {"<strong>Turned back</strong>", "Its edge lay too far", "+4.2 points"})
+    EXPECT_NE(html.find(words), std::string::npos) << words;
+  EXPECT_EQ(count_of(html, "class=\"gain\""), 1U) << "one alone is not together";
+  material.what_if.together = "Both together";
+  EXPECT_EQ(count_of(html_report(material), "class=\"gain\""), 2U);
+  material.what_if = {};
+  material.what_if.nothing = "Every point was earned";
+  html = html_report(material);
+  EXPECT_NE(html.find("<p>Every point was earned</p>"), std::string::npos);
+  EXPECT_EQ(html.find("class=\"gain\""), std::string::npos);
+}
+
 TEST(Report, AReviewedAndWholeScoreHasNoSuchMarks) {
   ReportMaterial material = made_up();
   material.card.is_reviewed = true;
@@ -122,6 +140,8 @@ TEST(Report, WhatPeopleTypedIsTextOnly) {
   material.quality = hostile;
   material.group_titles = {hostile, hostile};
   material.card.sentences = {hostile};
+  material.what_if.changes = {{hostile, hostile, hostile, {}}};
+  material.what_if.together = material.what_if.together_score = hostile;
   material.card.ledger[0].text = hostile;
   material.card.ledger[0].item = hostile;
   material.card.ledger[0].unit = hostile;

@@ -81,9 +81,16 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
   const AttemptAction wanted{Action::ViewAttempt, {options.attempt}};
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_attempt(database, desk, {options.attempt});
+    const assessment::WhatIf what_if(material.scenario, material.bone, material.recording,
+                                     material.header.begun.device_class,
+                                     score_attempt(material, stages_on(context)));
+    const assessment::Examination& examination = what_if.examination();
     ReportMaterial shown = report_material(material.scenario, material.bone, material.recording,
-                                           score_attempt(material, stages_on(context)),
-                                           material.header.begun.guidance);
+                                           examination, material.header.begun.guidance);
+    const assessment::Proposals proposals =
+        cancelled_as("stopped while trying changes; no report was written",
+                     [&] { return what_if.propose(stages_on(context)("Trying changes")); });
+    shown.what_if = said_what_if(proposals, material.scenario, examination.plan, examination.card);
     const auto quality = quality_from_json(material.header.quality_json);
     add_attempt_facts(shown, header_about(desk, material.header.id, shown.card),
                       quality ? verdict_of(quality->certificate) : database::Verdict{});

@@ -10,6 +10,7 @@
 #include "ui/app/verbs/card_json.h"
 #include "ui/app/verbs/verbs.h"
 #include "ui/jobs/attempt_jobs.h"
+#include "ui/report/what_if_text.h"
 
 namespace hallux::ui {
 
@@ -48,6 +49,19 @@ ordered_json proposal_json(const assessment::ProposedChange& proposed) {
           {"items", proposed.items}};
 }
 
+/// The words of report and screen, and what to give --change for each.
+void write_proposals(std::ostream& out, const assessment::Proposals& proposals,
+                     const SaidWhatIf& said) {
+  for (std::size_t i = 0; i < said.changes.size(); ++i) {
+    const SaidChange& change = said.changes[i];
+    out << change.gain << "  " << change.head << "\n    " << change.body << "\n    --change "
+        << proposals.changes[i].change.name << "=" << proposals.changes[i].to << "\n";
+  }
+  if (!said.together.empty())
+    out << said.together_gain << "  " << said.together << "\n    " << said.together_score << "\n";
+  if (!said.nothing.empty()) out << said.nothing << "\n";
+}
+
 void answer_proposals(const VerbContext& context, const AttemptMaterial& material,
                       const assessment::WhatIf& what_if) {
   const assessment::Proposals proposals = what_if.propose(stages_on(context)("Trying changes"));
@@ -64,11 +78,9 @@ void answer_proposals(const VerbContext& context, const AttemptMaterial& materia
     return;
   }
   context.out << "score " << score << "\n";
-  for (const auto& each : proposals.changes) {
-    context.out << "  " << each.change.name << "  " << each.change.from << " -> " << each.to << " "
-                << each.change.unit << "  +" << points_from(each.gain_milli) << "\n";
-  }
-  context.out << "all of them together: " << points_from(proposals.score_milli) << "\n";
+  write_proposals(context.out, proposals,
+                  said_what_if(proposals, material.scenario, what_if.examination().plan,
+                               what_if.examination().card));
 }
 
 void answer_changes(const VerbContext& context, const AttemptMaterial& material,

@@ -1,6 +1,6 @@
 // A result in two readings: what is stored, at once, and the cut bone, computed again from the
-// recording. A stored score is never touched; one that is missing is computed from the recording
-// alone and kept. What was cached beside the recording serves to show, never to score. The shares
+// recording. A stored score is never touched; one that is missing is computed from the recording,
+// or from what it measured, and kept. What was cached beside the recording serves to show alone. The shares
 // of the bar are measured.
 #include "ui/screens/result/result_material.h"
 
@@ -12,11 +12,10 @@
 #include "simulator/base/digest.h"
 #include "simulator/base/progress.h"
 #include "ui/jobs/attempt_jobs.h"
-#include "ui/jobs/cached_fields.h"
-#include "ui/screens/parts/desk_work.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/cached_look.h"
 #include "ui/screens/pictures/planned_frame.h"
+#include "ui/screens/result/attempt_source.h"
 
 namespace hallux::ui {
 
@@ -55,33 +54,17 @@ StageProgress stages_on(WorkReport& report) {
   };
 }
 
-struct LoadedAttempt {
-  AttemptMaterial attempt;
-  std::filesystem::path directory;
-  /// Before, if it was.
-  std::optional<std::vector<assessment::Measurement>> measurements;
-};
-
-LoadedAttempt load_for(SignedInSession& signed_in, const database::AttemptId& id) {
-  return signed_in.in_turn([&](database::Session& session, database::Database& database) {
-    database::AttemptDesk desk = desk_or_refused(session.desk_for(Action::ViewAttempt, id),
-                                                 "this account may not see attempts any more");
-    MeasuredMaterial measured = load_measured(database, desk, id);
-    return LoadedAttempt{std::move(measured.attempt), database.directory(),
-                         std::move(measured.measurements)};
-  });
-}
-
 bool is_to_be_scored(const database::AttemptHeader& header) {
   return !header.score_milli && header.state == AttemptState::Closed;
 }
 
 /// The score where there is none, and what it is made from where that is not kept. Whether the
 /// score was stored.
-bool store_where_missing(SignedInSession& signed_in, const LoadedAttempt& loaded,
+bool store_where_missing(SignedInSession& signed_in, const AttemptSource& loaded,
                          const Examination& examination) {
   const database::AttemptHeader& header = loaded.attempt.header;
-  if (loaded.measurements || header.state != AttemptState::Closed) return false;
+  const bool is_all_there = loaded.measurements && !is_to_be_scored(header);
+  if (is_all_there || header.state != AttemptState::Closed) return false;
   return signed_in.in_turn([&](database::Session& session, auto&) {
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::StoreScore, header.id);
     if (!desk || !desk->may(Action::StoreScore, header)) return false;
@@ -162,7 +145,7 @@ void light_pieces(std::vector<BoneMesh>& pieces) {
   }
 }
 
-void add_pictures(ExaminedAttempt& examined, const LoadedAttempt& loaded,
+void add_pictures(ExaminedAttempt& examined, const AttemptSource& loaded,
                   const Examination& examination, WorkReport& report) {
   const AttemptMaterial& material = loaded.attempt;
   const std::string name = "result " + material.header.id.text + " " +
@@ -236,14 +219,10 @@ ResultFacts read_result(SignedInSession& signed_in, const database::AttemptId& i
 std::shared_ptr<const ExaminedAttempt> examine_attempt(SignedInSession& signed_in,
                                                        const database::AttemptId& id,
                                                        WorkReport& report) {
-  const LoadedAttempt loaded = load_for(signed_in, id);
+  const AttemptSource loaded = attempt_source(signed_in, id);
   const AttemptMaterial& material = loaded.attempt;
   report.reached(read_share);
-  // What was kept beside the recording serves to show, never to score.
-  const Examination examination =
-      loaded.measurements && !is_to_be_scored(material.header)
-          ? examine_kept(material, loaded.directory, *loaded.measurements, stages_on(report))
-          : score_attempt(material, stages_on(report));
+  const Examination examination = examination_of(loaded, stages_on(report));
   auto examined = std::make_shared<ExaminedAttempt>();
   examined->card = examination.card;
   examined->world_from_bone = material.bone.world_from_bone;

@@ -1,6 +1,6 @@
 // One attempt's result on a page whose height follows its cards. What is stored is shown at once;
-// plan against cut and the effects of the tool come when the bone was computed again, and their
-// cards say so meanwhile. A line of the ledger, its place on the bone and its moment are chosen
+// plan against cut and the effects of the tool come when the bone was computed again, then what
+// would have earned more, and their cards say so meanwhile. A line of the ledger, its place on the bone and its moment are chosen
 // together.
 #include "ui/screens/result/result_screen.h"
 
@@ -51,6 +51,9 @@ void ResultScreen::read(Ui& ui, Shell& shell) {
                    return read_result(*signed_in, id);
                  });
   }
+  // One after the other: each takes a processor.
+  if (examined_.is_ready() && facts_.is_ready() && shows_what_if())
+    what_if_.work_out(ui, shell, signed_in_, facts().header.id);
   if (!facts_.is_ready() || !examined_.is_new()) return;
   examined_.start(ui, shell, ui.text("result.examining"),
                   [signed_in = signed_in_, id = facts().header.id](WorkReport& report) {
@@ -99,10 +102,15 @@ void ResultScreen::draw_page(Ui& ui, Rect page, bool has_fixed_head, Shell& shel
   // For those who decide; where it may not be graded everybody reads why.
   const bool is_recording_shown = facts().rights.may_decide || facts().header.is_valid == false;
   const float recording = is_recording_shown ? recording_card_height(ui, facts(), page.w) : 0.0F;
-  const float below = effects + recording + 2.0F * space::between_cards;
+  const float what_if = shows_what_if() ? what_if_.height(ui, facts(), page.w) : 0.0F;
+  const float below = effects + recording + what_if + 3.0F * space::between_cards;
   const float left = view - (page.y - top) - below - space::page;
   take_top(page, draw_looking_cards(ui, page, std::max(looking_height, left), shell),
            space::between_cards);
+  if (shows_what_if()) {
+    const Rect rect = take_top(page, what_if, space::between_cards);
+    if (const auto line = what_if_.draw(ui, rect, facts())) watch(*line);
+  }
   draw_effects_card(ui, take_top(page, effects));
   if (!facts().decisions.empty()) {
     take_top(page, space::between_cards);
@@ -399,6 +407,12 @@ void ResultScreen::draw_effects_card(Ui& ui, const Rect& rect) {
   const auto asked_s =
       draw_effects(ui, inside, examined_.value()->effects, chosen_moment_s(), effects_time_);
   if (asked_s) navigator_.show_replay(facts().header.id, *asked_s);
+}
+
+bool ResultScreen::shows_what_if() const {
+  if (!facts().score) return false;
+  if (!examined_.has_value()) return examined_.is_running();
+  return is_same_score(facts().score->card, examined_.value()->card);
 }
 
 void ResultScreen::draw_forms(Ui& ui, Shell& shell) {

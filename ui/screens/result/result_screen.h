@@ -13,6 +13,7 @@
 #include "ui/screens/result/decide_form.h"
 #include "ui/screens/result/plan_card.h"
 #include "ui/screens/result/result_material.h"
+#include "ui/screens/result/what_if_card.h"
 #include "ui/widgets/controls/row_table.h"
 #include "ui/widgets/controls/timeline_view.h"
 #include "ui/window/shell/shell.h"
@@ -49,6 +50,9 @@ class ResultScreen : public Screen {
   /// The card of what the saw did beside the cut; loading and failed like the plan's.
   float effects_card_height(const Ui& ui, float width) const;
   void draw_effects_card(Ui& ui, const Rect& rect);
+  /// A gain is the difference to the stored score, so that must be what this program computes; as
+  /// long as that is not known it is taken to be.
+  bool shows_what_if() const;
   void draw_forms(Ui& ui, Shell& shell);
   std::vector<std::pair<Meaning, std::string>> notices(const Texts& texts) const;
 
@@ -67,6 +71,7 @@ class ResultScreen : public Screen {
   Loaded<ResultFacts> facts_;
   Loaded<std::shared_ptr<const ExaminedAttempt>> examined_;
   PlanCard plan_;
+  WhatIfCard what_if_;
   DecideForm decide_;
   MessageForm ask_;
   TableState ledger_;

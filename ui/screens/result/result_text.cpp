@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "assessment/number_text.h"
+#include "ui/report/measured_text.h"
 #include "ui/screens/parts/value_text.h"
 
 namespace hallux::ui {
@@ -25,13 +26,6 @@ constexpr const char* minus = "\xE2\x88\x92";
 constexpr const char* dash = "\xE2\x80\x93";
 constexpr const char* at_most = "\xE2\x89\xA4 ";
 constexpr const char* at_least = "\xE2\x89\xA5 ";
-constexpr const char* degree = "\xC2\xB0";
-
-std::string with_unit(std::string number, std::string_view unit) {
-  if (number.starts_with('-')) number.replace(0, 1, minus);
-  if (unit == "deg") return number + degree;
-  return unit.empty() ? number : number + " " + assessment::unit_text(unit);
-}
 
 std::string percent(double share) { return assessment::number_text(100.0 * share, 0) + " %"; }
 
@@ -65,11 +59,6 @@ ScoreMark state_mark(const Texts& texts, const ResultFacts& facts) {
 
 }  // namespace
 
-std::string measured_text(double value, std::string_view unit) {
-  if (unit.empty()) return with_unit(assessment::value_text(value, unit), unit);
-  return with_unit(assessment::number_text(value, unit == "mm" ? 2 : 1), unit);
-}
-
 std::string yours_text(const LedgerLine& line) {
   if (!line.is_measured) return dash;
   if (line.kind == LedgerKind::Damping) return percent(line.value);
@@ -92,6 +81,7 @@ std::string item_title(const LedgerLine& line, const Scenario* scenario) {
     for (const scenarios::Gate& gate : scenario->rubric.gates)
       if (gate.name == line.item) return gate.title;
   }
+  if (line.kind == LedgerKind::Damping) return "Efficiency, by accuracy";
   return line.item.empty() ? line.metric : line.item;
 }
 

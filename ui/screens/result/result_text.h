@@ -13,8 +13,6 @@
 
 namespace hallux::ui {
 
-/// A value with its unit as people read it: "12.3°", "1.67 mm", the true minus.
-std::string measured_text(double value, std::string_view unit);
 /// What the line was measured as: "12.3°"; "–" where nothing was.
 std::string yours_text(const database::LedgerLine& line);
 /// Where full points end: "≤ 0.5 mm", "0.8–2 mm", "≥ 60 %".

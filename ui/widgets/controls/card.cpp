@@ -10,7 +10,7 @@ namespace hallux::ui {
 namespace {
 
 constexpr float title_baseline = 36.0F, title_height = 52.0F;
-constexpr float message_body_top = 41.0F;
+constexpr float message_body_top = 41.0F, message_head = 24.0F;
 constexpr double quick_s = 0.15;
 
 // The mark is drawn by the caller, 42 above the title.
@@ -50,6 +50,11 @@ float message_room(const Ui& ui, const MessageRow& row, float width) {
   return std::max(1.0F, width - 32.0F - message_side(ui, row, width) - 24.0F);
 }
 
+// Of a head that takes more than its one line: by how much the body begins lower.
+float message_head_more(const Ui& ui, const MessageRow& row, float room) {
+  return std::max(0.0F, ui.paragraph_height(Type::BodyStrong, row.head, room) - message_head);
+}
+
 }  // namespace
 
 Rect card(Ui& ui, const Rect& rect, std::string_view title, float padding) {
@@ -83,8 +88,9 @@ bool failed_card(Ui& ui, std::string_view id, const Rect& content, const FailedC
 }
 
 float message_row_height(const Ui& ui, const MessageRow& row, float width) {
-  const float words = ui.paragraph_height(Type::Small, row.body, message_room(ui, row, width));
-  return message_body_top + std::max(words, 40.0F) + 14.0F;
+  const float room = message_room(ui, row, width);
+  const float words = ui.paragraph_height(Type::Small, row.body, room);
+  return message_body_top + message_head_more(ui, row, room) + std::max(words, 40.0F) + 14.0F;
 }
 
 bool message_row(Ui& ui, std::string_view id, const Rect& rect, const MessageRow& row) {
@@ -92,12 +98,14 @@ bool message_row(Ui& ui, std::string_view id, const Rect& rect, const MessageRow
   const Theme& theme = ui.theme();
   const float room = message_room(ui, row, rect.w), middle = rect.y + 27.0F;
   draw_meaning(canvas, theme, row.meaning, {rect.x + 10.0F, middle}, 8.0F);
-  canvas.text_in({rect.x + 32.0F, middle - 12.0F, room, 24.0F}, {Type::BodyStrong, theme.text},
-                 row.head);
-  canvas.paragraph({rect.x + 32.0F, rect.y + message_body_top, room, rect.h - message_body_top},
+  const float body_top = message_body_top + message_head_more(ui, row, room);
+  canvas.paragraph(
+      {rect.x + 32.0F, middle - 0.5F * message_head, room, body_top - 27.0F + 0.5F * message_head},
+      {Type::BodyStrong, theme.text}, row.head);
+  canvas.paragraph({rect.x + 32.0F, rect.y + body_top, room, rect.h - body_top},
                    {Type::Small, theme.text_secondary}, row.body);
   const float side = message_side(ui, row, rect.w);
-  canvas.text_in({rect.right() - side, middle - 12.0F, side, 24.0F},
+  canvas.text_in({rect.right() - side, middle - 0.5F * message_head, side, message_head},
                  {Type::SmallMedium, theme.text, Align::Right}, row.right, true);
   if (row.action.empty()) return false;
   return link(ui, std::string(id) + ".action", {rect.right(), middle + 24.0F}, row.action,

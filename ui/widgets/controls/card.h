@@ -29,7 +29,7 @@ struct FailedCard {
 };
 bool failed_card(Ui& ui, std::string_view id, const Rect& content, const FailedCard& failed);
 
-/// One thing to take away: a shape, what happened in one line, why and what next below it, and at
+/// One thing to take away: a shape, what happened in a line, why and what next below it, and at
 /// the right what it cost with a way on (either may be empty).
 struct MessageRow {
   Meaning meaning = Meaning::Good;
@@ -37,7 +37,7 @@ struct MessageRow {
 };
 /// True where the way on was pressed, named `id.action`.
 bool message_row(Ui& ui, std::string_view id, const Rect& rect, const MessageRow& row);
-/// The height in which the body has room at this width: 95 for two lines.
+/// The height in which head and body have room at this width: 95 for one line and two.
 float message_row_height(const Ui& ui, const MessageRow& row, float width);
 
 /// Bars in the shape of rows that are still being read; nothing before 150 ms, so that what is
