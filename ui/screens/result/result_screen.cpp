@@ -1,7 +1,7 @@
 // One attempt's result on a page whose height follows its cards. What is stored is shown at once;
 // plan against cut and the effects of the tool come when the bone was computed again, then what
-// would have earned more, and their cards say so meanwhile. A line of the ledger, its place on the bone and its moment are chosen
-// together.
+// would have earned more, and their cards say so meanwhile. A line of the ledger, its place on the
+// bone and its moment are chosen together.
 #include "ui/screens/result/result_screen.h"
 
 #include <algorithm>
@@ -23,8 +23,9 @@ namespace {
 
 using database::LedgerLine;
 
-constexpr float two_columns_from = 860.0F, looking_height = 400.0F, foot_height = 66.0F,
-                row_height = 36.0F, pill_step = 30.0F, loss_bar_width = 48.0F, title_height = 52.0F,
+constexpr float two_columns_from = 860.0F, score_card_width = 400.0F, least_plan_width = 370.0F,
+                looking_height = 400.0F, foot_height = 66.0F, hint_top = 12.0F, row_height = 36.0F,
+                pill_step = 30.0F, loss_bar_width = 48.0F, title_height = 52.0F,
                 unseen_effects_height = 220.0F, head_above = 24.0F, head_below = 16.0F,
                 fixed_head_from = 480.0F;
 
@@ -239,7 +240,7 @@ float ResultScreen::draw_notices(Ui& ui, const Rect& place) const {
 
 float ResultScreen::draw_reading_cards(Ui& ui, const Rect& place) {
   const bool has_columns = place.w >= two_columns_from;
-  const float score_width = has_columns ? std::min(400.0F, 0.42F * place.w) : place.w;
+  const float score_width = has_columns ? score_card_width : place.w;
   const float words_width = has_columns ? place.w - score_width - space::between_cards : place.w;
   float score_height = score_card_height(facts()),
         words_height = sentences_card_height(ui, facts(), words_width);
@@ -255,7 +256,8 @@ float ResultScreen::draw_reading_cards(Ui& ui, const Rect& place) {
 float ResultScreen::draw_looking_cards(Ui& ui, const Rect& place, float height, Shell& shell) {
   const bool has_columns = place.w >= two_columns_from;
   if (has_columns) {
-    const float width = std::round(0.56F * (place.w - space::between_cards));
+    const float both = place.w - space::between_cards;
+    const float width = std::round(std::min(0.62F * both, both - least_plan_width));
     draw_ledger(ui, {place.x, place.y, width, height});
     draw_plan(ui,
               {place.x + width + space::between_cards, place.y,
@@ -302,7 +304,8 @@ void ResultScreen::draw_ledger(Ui& ui, const Rect& rect) {
                                                 : "result.ledger.empty.sentence")});
     return;
   }
-  const Rect foot = take_bottom(inside, foot_height, 8.0F);
+  const float hint = ui.paragraph_height(Type::Small, ui.text("result.ledger.hint"), inside.w);
+  const Rect foot = take_bottom(inside, std::max(foot_height, hint_top + hint), 8.0F);
   draw_ledger_table(ui, inside);
   draw_ledger_foot(ui, foot);
 }
@@ -338,7 +341,7 @@ void ResultScreen::draw_ledger_table(Ui& ui, const Rect& rect) {
        {{ui.text("result.ledger.yours"), 76.0F, 1.0F, Align::Right},
         [&](std::size_t row) { return yours_text(score.ledger[row]); },
         item_cell},
-       {{ui.text("result.ledger.target"), is_narrow ? 76.0F : 100.0F, 1.0F, Align::Right},
+       {{ui.text("result.ledger.target"), is_narrow ? 76.0F : 88.0F, 1.0F, Align::Right},
         [&](std::size_t row) { return target_text(score.ledger[row], scenario()); },
         caption_cell},
        {{ui.text("result.ledger.loss"), is_narrow ? 52.0F : 108.0F, 1.0F, Align::Right}, loss},
@@ -357,7 +360,7 @@ void ResultScreen::draw_ledger_foot(Ui& ui, const Rect& rect) {
   Canvas& canvas = ui.canvas();
   canvas.hairline_across(rect.x, rect.y, rect.w, ui.theme().line);
   if (!chosen_line_) {
-    canvas.paragraph({rect.x, rect.y + 12.0F, rect.w, rect.h - 12.0F},
+    canvas.paragraph({rect.x, rect.y + hint_top, rect.w, rect.h - hint_top},
                      {Type::Small, ui.theme().text_caption}, ui.text("result.ledger.hint"));
     return;
   }

@@ -1,5 +1,5 @@
-/// What would have earned more: the changes that gain most, worked out beside the window. Inside
-/// this corner only.
+/// What would have earned more: the changes that gain most, worked out beside the window.
+/// Inside this corner only.
 #pragma once
 
 #include <atomic>

@@ -282,35 +282,6 @@ TEST(ResultScreen, WhatTheStoreLacksIsComputedAndKept) {
   EXPECT_FALSE(reader.driver().sees("Not scored yet"));
 }
 
-TEST(ResultScreen, SaysWhatWouldHaveEarnedMore) {
-  OperatedCourse akin;
-  Reader reader(akin.course, "ada", akin.attempt);
-  Driver& driver = reader.driver();
-  EXPECT_TRUE(driver.sees("What would have earned more"));
-  EXPECT_TRUE(driver.sees("All three together"));
-  EXPECT_TRUE(driver.sees("Worked out by the scorer itself"));
-  EXPECT_FALSE(driver.sees("Working out"));
-  reader.tab_to("result.what_if.0.action");
-  driver.press(Key::Enter);
-  ASSERT_THAT(reader.asked(), SizeIs(1));
-  EXPECT_THAT(reader.asked().front(), HasSubstr("replay " + akin.attempt.text));
-  EXPECT_THAT(driver.faults(), IsEmpty());
-}
-
-TEST(ResultScreen, AGainIsOnlySaidAgainstTheScoreThatIsShown) {
-  OperatedCourse akin;
-  database::ScoreCard older = akin.course.trainee("ada").score(akin.attempt)->card;
-  older.score_milli = 12'300;
-  store_score(akin.course.database(), akin.attempt, older, akin.course.id_of("ada"));
-  Reader reader(akin.course, "ada", akin.attempt);
-  EXPECT_TRUE(reader.driver().sees("Computed again now"));
-  EXPECT_FALSE(reader.driver().sees("What would have earned more"));
-  SomeCourse lost;
-  Reader unreadable(lost, "ada", lost.scored_by("ada", 76'830));
-  EXPECT_FALSE(unreadable.driver().sees("What would have earned more"))
-      << "the bone cannot be computed";
-}
-
 TEST(ResultScreen, ADifferenceToTheStoredScoreIsNeverHidden) {
   OperatedCourse akin;
   database::ScoreCard older = akin.course.trainee("ada").score(akin.attempt)->card;
