@@ -1,5 +1,6 @@
 // What it takes to score a course anew after weights were changed: from what was measured, and, for
 // one attempt beside it, from its recording.
+#include <algorithm>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -27,7 +28,10 @@ scenarios::Scenario otherwise_weighted(const scenarios::Scenario& scenario) {
   auto text = nlohmann::ordered_json::parse(scenario.text);
   text["version"] = scenario.version + 1;
   nlohmann::ordered_json& items = text["rubric"]["items"];
-  std::swap(items[0]["weight"], items[1]["weight"]);
+  const auto other = std::ranges::find_if(items, [&](const nlohmann::ordered_json& item) {
+    return item["group"] == items[0]["group"] && item["weight"] != items[0]["weight"];
+  });
+  std::swap(items[0]["weight"], (*other)["weight"]);
   return scenarios::parse_scenario(text.dump(), scenario.name);
 }
 

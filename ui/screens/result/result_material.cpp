@@ -1,7 +1,7 @@
 // A result in two readings: what is stored, at once, and the cut bone, computed again from the
 // recording. A stored score is never touched; one that is missing is computed from the recording,
-// or from what it measured, and kept. What was cached beside the recording serves to show alone. The shares
-// of the bar are measured.
+// or from what it measured, and kept. What was cached beside the recording serves to show alone.
+// The shares of the bar are measured.
 #include "ui/screens/result/result_material.h"
 
 #include <algorithm>

@@ -158,8 +158,8 @@ std::filesystem::path quick_scenario(database::SomeCourse& course, bool lists_im
   auto text = nlohmann::ordered_json::parse(scenarios::load_shipped_scenario("silver").text);
   text["name"] = "eminence";
   text["patient"]["edge_mm"] = 1;
-  text["proof"] = nlohmann::ordered_json::array();
-  if (lists_impossible) text["proof"].push_back({{"fault", "dry"}, {"items", {"A1"}}});
+  text.erase("proof");
+  if (lists_impossible) text["proof"] = {{{"fault", "dry"}, {"items", {"A1"}}}};
   std::filesystem::path path = course.database().directory() / "eminence.json";
   std::ofstream(path) << text.dump(1);
   return path;
