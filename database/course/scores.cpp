@@ -25,6 +25,29 @@ std::int64_t insert_score(Database& database, const AttemptId& attempt, const Sc
   return database.connection().getLastInsertRowid();
 }
 
+/// In the caller's transaction.
+ScoreId put_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
+                  std::optional<PersonId> actor) {
+  const std::string json = json_from_card(card);
+  const std::int64_t number = put_in_force(
+      database, "score", attempt, [&] { return insert_score(database, attempt, card, json); });
+  append_audit(database, {actor, "score_stored", "score", std::to_string(number), false,
+                          score_digest(json, attempt), ""});
+  return ScoreId{number};
+}
+
+/// Stores the card unless the one in force is `as_good`.
+template <typename IsAsGood>
+ScoreId store_unless(Database& database, const AttemptId& attempt, const ScoreCard& card,
+                     std::optional<PersonId> actor, IsAsGood is_as_good) {
+  const AttemptHeader header = load_header(database, attempt);
+  return in_transaction_of_caller(database, "store the score of attempt " + header.id.text, [&] {
+    const std::optional<StoredScore> in_force = load_score(database, header.id);
+    if (in_force && is_as_good(in_force->card)) return in_force->id;
+    return put_score(database, header.id, card, actor);
+  });
+}
+
 }  // namespace
 
 Digest score_digest(std::string_view card_json, const AttemptId& attempt) noexcept {
@@ -36,24 +59,14 @@ Digest score_digest(std::string_view card_json, const AttemptId& attempt) noexce
 
 ScoreId store_score(Database& database, const AttemptId& attempt, const ScoreCard& card,
                     std::optional<PersonId> actor) {
-  const std::optional<StoredScore> in_force = load_score(database, attempt);
-  if (in_force && is_same_score(in_force->card, card)) return in_force->id;
-  return store_score_as_it_was(database, attempt, card, actor);
+  return store_unless(database, attempt, card, actor,
+                      [&](const ScoreCard& in_force) { return is_same_score(in_force, card); });
 }
 
 ScoreId store_score_as_it_was(Database& database, const AttemptId& attempt, const ScoreCard& card,
                               std::optional<PersonId> actor) {
-  const AttemptHeader header = load_header(database, attempt);
-  const std::string json = json_from_card(card);
-  return in_transaction_of_caller(database, "store the score of attempt " + header.id.text, [&] {
-    const std::optional<StoredScore> in_force = load_score(database, header.id);
-    if (in_force && json_from_card(in_force->card) == json) return in_force->id;
-    const std::int64_t number = put_in_force(database, "score", header.id, [&] {
-      return insert_score(database, header.id, card, json);
-    });
-    append_audit(database, {actor, "score_stored", "score", std::to_string(number), false,
-                            score_digest(json, header.id), ""});
-    return ScoreId{number};
+  return store_unless(database, attempt, card, actor, [&](const ScoreCard& in_force) {
+    return json_from_card(in_force) == json_from_card(card);
   });
 }
 

@@ -19,6 +19,12 @@ struct StoredScore {
   ScoreCard card;
 };
 
+/// A card that is to be stored.
+struct NewScore {
+  AttemptId attempt;
+  ScoreCard card;
+};
+
 /// Stores the card as the score in force, with an audit row that holds its digest and `actor`
 /// (nobody: the house). A card that differs in nothing but its
 /// sentences stores nothing.

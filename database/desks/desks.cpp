@@ -205,6 +205,17 @@ ScoreId AttemptDesk::store_score(const AttemptId& id, const ScoreCard& card) {
                                holder_.person);
 }
 
+void AttemptDesk::store_scores(std::span<const NewScore> scores) {
+  std::vector<AttemptId> allowed;
+  for (const NewScore& score : scores)
+    allowed.push_back(allowed_header(Action::StoreScore, score.attempt).id);
+  in_transaction(*database_, "store the scores of " + std::to_string(scores.size()) + " attempts",
+                 [&] {
+                   for (std::size_t i = 0; i < scores.size(); ++i)
+                     database::store_score(*database_, allowed[i], scores[i].card, holder_.person);
+                 });
+}
+
 std::optional<std::vector<Measurement>> AttemptDesk::measurements(const AttemptId& id,
                                                                   const MeasuredBy& by) {
   const AttemptHeader header = allowed_header(Action::ViewAttempt, id);

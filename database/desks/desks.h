@@ -61,6 +61,8 @@ class AttemptDesk {
   /// the audit.
   bool may(Action action, const AttemptHeader& header);
   ScoreId store_score(const AttemptId& id, const ScoreCard& card);
+  /// All of them or none.
+  void store_scores(std::span<const NewScore> scores);
   /// What was measured of its recording before; nothing where it is to be measured again.
   std::optional<std::vector<Measurement>> measurements(const AttemptId& id, const MeasuredBy& by);
   /// Keeps what the recording measured, for later scores.

@@ -142,11 +142,53 @@ RescoredAttempt rescored(Rescorer& rescorer, const Listed& listed, const StagePr
   return attempt;
 }
 
-[[noreturn]] void stop(std::size_t done, std::size_t all, long stored) {
-  throw Cancelled("the scoring was stopped after " + std::to_string(done) + " of " +
-                  std::to_string(all) + " attempts; " + std::to_string(stored) +
-                  " new scores were stored and stay beside the old ones");
-}
+/// So many scores are stored together: a write to the disk takes longer than a score.
+constexpr std::size_t stored_together = 64;
+
+/// The attempts that were scored, the newest of them not stored yet.
+class Rescored {
+ public:
+  explicit Rescored(bool is_dry) : is_dry_(is_dry) {}
+
+  void add(RescoredAttempt attempt, database::AttemptDesk& desk) {
+    if (desk_ != &desk || attempts_.size() - first_unstored_ >= stored_together) store();
+    desk_ = &desk;
+    attempts_.push_back(std::move(attempt));
+  }
+  /// Those that changed since the last time.
+  void store() {
+    if (is_dry_ || desk_ == nullptr) return;
+    std::vector<database::NewScore> scores;
+    for (std::size_t i = first_unstored_; i < attempts_.size(); ++i) {
+      RescoredAttempt& each = attempts_[i];
+      if (each.is_changed) scores.push_back({each.header.id, *each.after});
+    }
+    if (!scores.empty()) desk_->store_scores(scores);
+    for (; first_unstored_ < attempts_.size(); ++first_unstored_) {
+      attempts_[first_unstored_].is_stored = attempts_[first_unstored_].is_changed;
+      stored_ += attempts_[first_unstored_].is_stored ? 1 : 0;
+    }
+  }
+  [[noreturn]] void stop(std::size_t all) {
+    store();
+    throw Cancelled("the scoring was stopped after " + std::to_string(attempts_.size()) + " of " +
+                    std::to_string(all) + " attempts; " + std::to_string(stored_) +
+                    " new scores were stored and stay beside the old ones");
+  }
+  std::size_t size() const noexcept { return attempts_.size(); }
+  std::vector<RescoredAttempt> take() && {
+    store();
+    return std::move(attempts_);
+  }
+
+ private:
+  bool is_dry_;
+  std::vector<RescoredAttempt> attempts_;
+  std::size_t first_unstored_ = 0;
+  long stored_ = 0;
+  /// Of those that are not stored.
+  database::AttemptDesk* desk_ = nullptr;
+};
 
 }  // namespace
 
@@ -161,25 +203,19 @@ std::vector<RescoredAttempt> rescore(database::Database& database,
                             "there are");
   }
   Rescorer rescorer(database, scoring_scenario(database, listed, rescoring), rescoring.is_dry_run);
-  std::vector<RescoredAttempt> attempts;
-  long stored = 0;
+  Rescored attempts(rescoring.is_dry_run);
   for (const Listed& each : listed) {
     const double done = static_cast<double>(attempts.size()) / static_cast<double>(listed.size());
-    if (progress && !progress(done)) stop(attempts.size(), listed.size(), stored);
+    if (progress && !progress(done)) attempts.stop(listed.size());
     const StageProgress stage = [&](const std::string&) { return part_of(progress, done, done); };
     try {
-      attempts.push_back(rescored(rescorer, each, stage));
+      attempts.add(rescored(rescorer, each, stage), *each.desk);
     } catch (const Cancelled&) {
-      stop(attempts.size(), listed.size(), stored);
+      attempts.stop(listed.size());
     }
-    RescoredAttempt& last = attempts.back();
-    if (rescoring.is_dry_run || !last.is_changed) continue;
-    each.desk->store_score(each.header.id, *last.after);
-    last.is_stored = true;
-    ++stored;
   }
   if (progress) progress(1.0);
-  return attempts;
+  return std::move(attempts).take();
 }
 
 }  // namespace hallux::ui

@@ -56,8 +56,6 @@ void fill(Database& database, const ui::AttemptMaterial& material,
     desk.store_score(id, examination.card);
     desk.store_measurements(id, by, examination.measurements);
   }
-  begun.scenario = stored_version(database, otherwise_weighted(material.scenario));
-  database::record(database, begun, recording);
 }
 
 template <typename Work>
@@ -84,9 +82,10 @@ Table rescoring(const std::string& name, int attempts) {
       .columns = {"what", "attempts", "wall ms", "processor ms", "ms an attempt"},
       .rows = {},
       .notes = {"a million square roots in a row take " + text_of(calibration_ms()) + " ms here"}};
+  const scenarios::Scenario other = otherwise_weighted(expert.scenario);
+  const std::vector<ui::KnownVersion> known{{name, other.version, stored_version(database, other)}};
   const auto rescore = [&](bool is_dry) {
-    const auto version = expert.scenario.version + 1;
-    ui::rescore(database, house, {name, version, is_dry, {}}, {});
+    ui::rescore(database, house, {name, other.version, is_dry, known}, {});
   };
   add_row(table, "from measurements, a dry run", attempts, [&] { rescore(true); });
   add_row(table, "from measurements, stored", attempts, [&] { rescore(false); });
