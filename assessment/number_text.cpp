@@ -38,10 +38,15 @@ std::string unit_text(std::string_view unit) {
   return std::string(unit);
 }
 
+std::string with_unit(const std::string& number, std::string_view unit) {
+  if (unit == "deg") return number + "\xC2\xB0";
+  return unit.empty() ? number : number + " " + unit_text(unit);
+}
+
 std::string value_text(double value, std::string_view unit) {
   // A count is whole; of a share two places tell enough.
   if (unit.empty()) return short_number_text(std::round(value * 100.0) / 100.0);
-  return number_text(value, unit == "mm" ? 2 : 1) + " " + unit_text(unit);
+  return with_unit(number_text(value, unit == "mm" ? 2 : 1), unit);
 }
 
 std::string points_text(std::int64_t points_milli) {

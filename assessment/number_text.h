@@ -17,7 +17,9 @@ std::string number_text(double value, int decimals);
 std::string short_number_text(double value);
 /// A metric's unit as people write it: "mm", "N", "mm/s".
 std::string unit_text(std::string_view unit);
-/// A metric's value with its unit and the decimals that the unit deserves: "4.2 deg", "0.35 mm".
+/// A number that is written already, with its unit: "1°", "0.5 mm"; a count and a share have none.
+std::string with_unit(const std::string& number, std::string_view unit);
+/// A metric's value with its unit and the decimals that the unit deserves: "4.2°", "0.35 mm".
 std::string value_text(double value, std::string_view unit);
 /// Rubric or score points from thousandths: "16", "7.3", "0.04".
 std::string points_text(std::int64_t points_milli);

@@ -25,11 +25,6 @@ using database::ScoreCard;
 using database::TargetKind;
 using scenarios::MetricWording;
 
-/// A count and a share have no unit.
-std::string with_unit(const std::string& number, const std::string& unit) {
-  return unit.empty() ? number : number + " " + unit_text(unit);
-}
-
 std::string share_text(double fraction) { return number_text(100.0 * fraction, 0) + " %"; }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -122,7 +117,7 @@ std::string loss_clause(const LedgerLine& line, const ShownLine& shown) {
   return lost_points_text(line, shown) + " of " + possible + " points lost";
 }
 
-/// " (full points to 1 deg)"; of a claim nothing.
+/// " (full points to 1°)"; of a claim nothing.
 std::string target_clause(const LedgerLine& line) {
   if (scenarios::is_claim(line.metric)) return "";
   const LineFacts& facts = line.facts;

@@ -205,11 +205,11 @@ TEST(AkinAssess, SentencesSayWhatARulerCouldCheck) {
   const auto says = [&](const char* words) {
     EXPECT_NE(all.find(words), std::string::npos) << words << "\n" << all;
   };
-  says("First cut: The face is tilted 8.3 deg, deepest at its plantar");
+  says("First cut: The face is tilted 8.3°, deepest at its plantar");
   says(
-      "Lateral hinge: The wedge is 5.4 deg off the planned angle, too large: 15.4 deg were taken "
-      "out, the plan was 10.0 deg; the base is 4.30 mm wide, the plan was 2.47 mm");
-  says("The wedge leans 4.1 deg in the sagittal plane, wider plantar");
+      "Lateral hinge: The wedge is 5.4° off the planned angle, too large: 15.4° were taken "
+      "out, the plan was 10.0°; the base is 4.30 mm wide, the plan was 2.47 mm");
+  says("The wedge leans 4.1° in the sagittal plane, wider plantar");
   says("Lateral hinge: The hinge is gone");
   says("The blade went 3.10 mm past the far cortex: the hand felt 9.0 N as it broke through");
   says("Lateral cortex cut through, so the score is capped at 69");

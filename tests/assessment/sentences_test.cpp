@@ -56,7 +56,7 @@ ScoreCard explained(const Scenario& scenario, const std::vector<Measurement>& me
 TEST(Sentences, SayTheNumberTheTargetAndTheLoss) {
   const ScoreCard card = explained(silver_like(), {measured("angle_deg", 4.2, "dorsal")});
   EXPECT_EQ(card.ledger[0].text,
-            "The face is tilted 4.2 deg, deepest at its dorsal edge (full points to 1 deg): "
+            "The face is tilted 4.2°, deepest at its dorsal edge (full points to 1°): "
             "45.7 of 100 points lost.");
 }
 
@@ -152,11 +152,11 @@ TEST(Sentences, WithSeveralCutsEachLineSaysWhichItIsAbout) {
   wedge.detail = {DetailKind::WedgeTaken, {15.4, 10.0, 3.5, 2.25}, {}};
   const ScoreCard card = explained(akin_like(), {measured("angle_deg", 0.4, "dorsal"), wedge});
   EXPECT_EQ(card.ledger[0].text,
-            "First cut: The face is tilted 0.4 deg (full points to 1 deg): all 57.1 points.");
+            "First cut: The face is tilted 0.4° (full points to 1°): all 57.1 points.");
   EXPECT_EQ(card.ledger[1].text,
-            "Lateral hinge: The wedge is 5.4 deg off the planned angle, too large: 15.4 deg were "
-            "taken out, the plan was 10.0 deg; the base is 3.50 mm wide, the plan was 2.25 mm "
-            "(full points to 0.5 deg): 38.2 of 42.9 points lost.");
+            "Lateral hinge: The wedge is 5.4° off the planned angle, too large: 15.4° were "
+            "taken out, the plan was 10.0°; the base is 3.50 mm wide, the plan was 2.25 mm "
+            "(full points to 0.5°): 38.2 of 42.9 points lost.");
 }
 
 TEST(Sentences, AMetricOfACutIsNotOneOfAHingeOfTheSameName) {
@@ -195,7 +195,7 @@ TEST(Sentences, WhatAHingeLosesIsLaidToTheLessFinishedOfItsCuts) {
   wedge.done_fraction = second.done_fraction = 0.5;
   const ScoreCard half = explained(scenario, {measured("angle_deg", 8.0, ""), second, wedge});
   ASSERT_EQ(half.sentences.size(), 2U);
-  EXPECT_TRUE(half.sentences[0].starts_with("First cut: The face is tilted 8.0 deg"));
+  EXPECT_TRUE(half.sentences[0].starts_with("First cut: The face is tilted 8.0°"));
   EXPECT_TRUE(half.sentences[1].starts_with("Second cut: Unfinished cut: 50 % was sawn"));
   second.absence = wedge.absence = Absence::NotMade;
   const ScoreCard none = explained(scenario, {measured("angle_deg", 1.0, ""), second, wedge});

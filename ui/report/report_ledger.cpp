@@ -70,13 +70,6 @@ std::string moment_cell(const LedgerLine& line) {
   return start + " \xE2\x80\x93 " + assessment::moment_text(line.end_us);
 }
 
-std::string value_cell(const LedgerLine& line) {
-  if (!line.is_measured) return "\xE2\x80\x93";
-  if (line.kind == LedgerKind::Damping)
-    return assessment::number_text(100.0 * line.value, 0) + " %";
-  return measured_text(line.value, line.unit);
-}
-
 std::string loss_cell(const LedgerLine& line, const ShownLine& shown) {
   const std::string loss = assessment::lost_points_text(line, shown);
   return shown.lost_milli == 0 ? loss : minus_sign + loss;
@@ -86,7 +79,7 @@ std::string ledger_row(const LedgerLine& line, const ShownLine& shown) {
   std::string row = line.points_lost_milli > 0 ? "<tr class=\"lost\">" : "<tr>";
   row += "<td class=\"item\">" + escaped(item_cell(line)) + "</td>";
   row += "<td class=\"text\">" + escaped(line.text) + "</td>";
-  row += "<td class=\"number\">" + escaped(value_cell(line)) + "</td>";
+  row += "<td class=\"number\">" + escaped(measured_text(line)) + "</td>";
   row += "<td class=\"number moment\">" + moment_cell(line) + "</td>";
   return row + "<td class=\"number\">" + loss_cell(line, shown) + "</td></tr>";
 }

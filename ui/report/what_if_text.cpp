@@ -8,6 +8,7 @@
 
 #include "assessment/number_text.h"
 #include "scenarios/metric_advice.h"
+#include "scenarios/metric_names.h"
 #include "scenarios/site/bone_words.h"
 #include "ui/report/measured_text.h"
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "simulator/base/units.h"
+#include "ui/report/measured_text.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/screens/result/effects_card.h"
 #include "ui/screens/result/recording_card.h"
@@ -317,7 +318,7 @@ void ResultScreen::draw_ledger_table(Ui& ui, const Rect& rect) {
   std::int64_t greatest = 1;
   for (const assessment::ShownLine& each : shown.lines)
     greatest = std::max(greatest, each.lost_milli);
-  const bool is_narrow = rect.w < 540.0F;
+  const bool is_narrow = rect.w < 600.0F;
   std::optional<std::size_t> watched;
   const auto title = [&](std::size_t row) { return item_title(score.ledger[row], scenario()); };
   const auto loss = [&](Ui& own, std::size_t row, const Rect& cell) {
@@ -339,7 +340,7 @@ void ResultScreen::draw_ledger_table(Ui& ui, const Rect& rect) {
       title,
       {{{ui.text("result.ledger.item")}, title, item_cell},
        {{ui.text("result.ledger.yours"), 76.0F, 1.0F, Align::Right},
-        [&](std::size_t row) { return yours_text(score.ledger[row]); },
+        [&](std::size_t row) { return measured_text(score.ledger[row]); },
         item_cell},
        {{ui.text("result.ledger.target"), is_narrow ? 76.0F : 88.0F, 1.0F, Align::Right},
         [&](std::size_t row) { return target_text(score.ledger[row], scenario()); },

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "assessment/number_text.h"
+#include "scenarios/metric_names.h"
 #include "ui/report/measured_text.h"
 #include "ui/screens/parts/value_text.h"
 
@@ -59,20 +60,20 @@ ScoreMark state_mark(const Texts& texts, const ResultFacts& facts) {
 
 }  // namespace
 
-std::string yours_text(const LedgerLine& line) {
-  if (!line.is_measured) return dash;
-  if (line.kind == LedgerKind::Damping) return percent(line.value);
-  return measured_text(line.value, line.unit);
-}
-
 std::string target_text(const LedgerLine& line, const Scenario* scenario) {
-  const auto number = [](double value) { return assessment::short_number_text(value); };
+  const auto number = [](double value) {
+    return with_true_minus(assessment::short_number_text(value));
+  };
   if (line.kind == LedgerKind::Damping) return at_least + percent(line.target);
   const RubricItem* item = find_item(line, scenario);
+  if (scenarios::is_claim(line.metric)) return item != nullptr && item->full > 0.5 ? "yes" : "no";
   if (item != nullptr && item->is_band)
-    return with_unit(number(item->full_low) + dash + number(item->full_high), line.unit);
+    return assessment::with_unit(number(item->full_low) + dash + number(item->full_high),
+                                 line.unit);
   const bool is_least = item != nullptr ? item->full > item->zero : is_at_least(line, scenario);
-  return (is_least ? at_least : at_most) + with_unit(number(line.target), line.unit);
+  const std::string target = assessment::with_unit(number(line.target), line.unit);
+  if (!is_least && line.target == 0.0) return target;
+  return (is_least ? at_least : at_most) + target;
 }
 
 std::string item_title(const LedgerLine& line, const Scenario* scenario) {

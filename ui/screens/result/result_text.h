@@ -13,9 +13,7 @@
 
 namespace hallux::ui {
 
-/// What the line was measured as: "12.3°"; "–" where nothing was.
-std::string yours_text(const database::LedgerLine& line);
-/// Where full points end: "≤ 0.5 mm", "0.8–2 mm", "≥ 60 %".
+/// Where full points end: "≤ 0.5 mm", "0.8–2 mm", "≥ 60 %", "0 s"; of a claim "yes" or "no".
 std::string target_text(const database::LedgerLine& line, const scenarios::Scenario* scenario);
 /// The item's title in the scenario; its own name where that is not known.
 std::string item_title(const database::LedgerLine& line, const scenarios::Scenario* scenario);

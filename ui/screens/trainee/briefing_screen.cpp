@@ -95,26 +95,29 @@ void BriefingScreen::draw_briefing(Ui& ui, const Rect& content, Shell& shell) {
 namespace {
 
 /// A chip for what is said over the picture.
-Rect draw_chip(Ui& ui, Point left_top, float width) {
-  const Rect chip{left_top.x, left_top.y, width, 24.0F};
+Rect draw_chip(Ui& ui, const Rect& chip) {
   ui.canvas().fill(chip, ui.theme().hud, 12.0F);
   return chip;
 }
 
 /// As on the cards to choose from.
 void draw_mark(Ui& ui, Point left_top, std::string_view mark) {
-  const Rect chip = draw_chip(ui, left_top, ui.width_of(Type::CaptionMedium, mark) + 40.0F);
+  const Rect chip = draw_chip(
+      ui, {left_top.x, left_top.y, ui.width_of(Type::CaptionMedium, mark) + 40.0F, 24.0F});
   draw_meaning(ui.canvas(), ui.theme(), Meaning::Warn, {chip.x + 15.0F, chip.mid_y()}, 5.5F);
   ui.canvas().text({chip.x + 28.0F, chip.mid_y()}, {Type::CaptionMedium, ui.theme().text}, mark);
 }
 
-/// How to turn the bone.
+/// How to turn the bone, in as many lines as it needs.
 void draw_hint(Ui& ui, const Rect& picture) {
   const std::string_view hint = ui.text("brief.picture.hint");
   const float width = std::min(ui.width_of(Type::Caption, hint) + 26.0F, picture.w - 24.0F);
-  const Rect chip = draw_chip(ui, {picture.x + 12.0F, picture.bottom() - 36.0F}, width);
-  ui.canvas().text_in(inset(chip, 12.0F, 0.0F), {Type::Caption, ui.theme().text_secondary}, hint,
-                      true);
+  const float words = ui.paragraph_height(Type::Caption, hint, width - 24.0F);
+  const float height = words + 6.0F;
+  const Rect chip =
+      draw_chip(ui, {picture.x + 12.0F, picture.bottom() - 12.0F - height, width, height});
+  ui.canvas().paragraph({chip.x + 12.0F, chip.y + 3.0F, chip.w - 24.0F, words},
+                        {Type::Caption, ui.theme().text_secondary}, hint);
 }
 
 }  // namespace
