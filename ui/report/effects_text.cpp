@@ -1,6 +1,10 @@
 #include "ui/report/effects_text.h"
 
+#include <algorithm>
+#include <array>
+
 #include "assessment/number_text.h"
+#include "scenarios/metric_names.h"
 
 namespace hallux::ui {
 
@@ -8,6 +12,17 @@ using assessment::number_text;
 
 bool was_hot(const simulator::HeatSummary& heat) noexcept {
   return heat.hottest_celsius > simulator::hot_celsius;
+}
+
+bool are_effects_scored(const database::ScoreCard& card) noexcept {
+  using enum scenarios::Metric;
+  constexpr std::array effects{HotS, NecroticMm3, DangerContactsCount, DangerS, DangerDepthMm};
+  return std::ranges::any_of(card.ledger, [&](const database::LedgerLine& line) {
+    return line.kind == database::LedgerKind::Metric &&
+           std::ranges::any_of(effects, [&](scenarios::Metric metric) {
+             return scenarios::name_of(metric) == line.metric;
+           });
+  });
 }
 
 std::string hottest_text(const simulator::HeatSummary& heat) {

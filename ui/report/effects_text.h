@@ -2,17 +2,21 @@
 /// decimals it deserves.
 ///
 /// All of it is by models that no surgeon has reviewed; whoever shows it says so, and that nothing
-/// is scored by it.
+/// is scored by it where that is so.
 #pragma once
 
 #include <string>
 
+#include "database/records/score.h"
 #include "simulator/contact/heat.h"
 
 namespace hallux::ui {
 
 /// Whether any bone passed the temperature from which it suffers.
 bool was_hot(const simulator::HeatSummary& heat) noexcept;
+
+/// Whether the card's rubric asks for heat or contacts with danger zones: older ones do not.
+bool are_effects_scored(const database::ScoreCard& card) noexcept;
 
 /// "62 °C".
 std::string hottest_text(const simulator::HeatSummary& heat);

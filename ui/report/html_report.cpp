@@ -151,7 +151,9 @@ std::string effects_text(const ReportMaterial& material) {
                       bend_text(material.traces.greatest_deflection_mm) + ". ";
   const std::string zones = zones_sentence(material.zones);
   if (!zones.empty()) words += zones + " ";
-  return words + "All of this is by models that no surgeon has reviewed; nothing is scored by it.";
+  return words + "All of this is by models that no surgeon has reviewed; " +
+         (are_effects_scored(material.card) ? "the rubric asks for some of it."
+                                            : "nothing is scored by it.");
 }
 
 std::string traces_html(const ReportMaterial& material) {

@@ -7,6 +7,7 @@
 
 #include "ui/report/effects_text.h"
 #include "ui/report/html_text.h"
+#include "ui/report/measured_text.h"
 #include "ui/report/report_facts.h"
 #include "ui/report/report_pictures.h"
 #include "ui/report/score_sheet.h"
@@ -113,6 +114,42 @@ TEST(Report, SaysWhatWouldHaveEarnedMoreOrWhyNothing) {
   html = html_report(material);
   EXPECT_NE(html.find("<p>Every point was earned</p>"), std::string::npos);
   EXPECT_EQ(html.find("class=\"gain\""), std::string::npos);
+}
+
+TEST(Report, ThatHeatIsNotScoredIsSaidWhereItIsNot) {
+  ReportMaterial material = made_up();
+  EXPECT_NE(html_report(material).find("nothing is scored by it"), std::string::npos);
+  EXPECT_FALSE(are_effects_scored(material.card));
+  database::LedgerLine heat;
+  heat.item = "H4";
+  heat.metric = "hot_s";
+  material.card.ledger.push_back(heat);
+  material.card.shown_losses_milli.push_back(0);
+  EXPECT_TRUE(are_effects_scored(material.card));
+  EXPECT_EQ(html_report(material).find("nothing is scored by it"), std::string::npos);
+  material.card.ledger.back().kind = database::LedgerKind::Gate;
+  EXPECT_FALSE(are_effects_scored(material.card));
+}
+
+TEST(Report, ALedgerSaysClaimsAsYesOrNo) {
+  database::LedgerLine line;
+  line.metric = "started_in_bone";
+  line.is_measured = true;
+  EXPECT_EQ(measured_text(line), "no");
+  line.value = 1.0;
+  EXPECT_EQ(measured_text(line), "yes");
+  line.metric = "piece_out";
+  line.kind = database::LedgerKind::Gate;
+  line.value = 0.0;
+  EXPECT_EQ(measured_text(line), "yes") << "the gate was met: its title is so";
+  line.is_measured = false;
+  EXPECT_EQ(measured_text(line), "–");
+  line = {};
+  line.metric = "angle_deg";
+  line.unit = "deg";
+  line.value = -3.62;
+  line.is_measured = true;
+  EXPECT_EQ(measured_text(line), "−3.6°");
 }
 
 TEST(Report, AReviewedAndWholeScoreHasNoSuchMarks) {

@@ -1,6 +1,6 @@
-// What the saw did beside the cut: facts, and curves over the strokes. None of it is scored, which
-// the card says on its head. Each fact names the moment to look at where there is one; the list of
-// zones says whether any was watched, because "none touched" would mean nothing else.
+// What the saw did beside the cut: facts, and curves over the strokes. Where none of it is scored
+// the card says so on its head. Each fact names the moment to look at where there is one; the list
+// of zones says whether any was watched, because "none touched" would mean nothing else.
 #include "ui/screens/result/effects_card.h"
 
 #include <algorithm>
@@ -246,14 +246,16 @@ std::optional<double> draw_effects(Ui& ui, const Rect& rect, const EffectFacts& 
   return linked_s ? linked_s : marked_s;
 }
 
-float effects_marks_width(const Ui& ui) {
-  return pill_width(ui, ui.text("result.effects.unscored"), false) + 8.0F +
-         pill_width(ui, ui.text("result.mark.not_reviewed"));
+float effects_marks_width(const Ui& ui, bool is_scored) {
+  const float reviewed = pill_width(ui, ui.text("result.mark.not_reviewed"));
+  if (is_scored) return reviewed;
+  return pill_width(ui, ui.text("result.effects.unscored"), false) + 8.0F + reviewed;
 }
 
-void draw_effects_marks(Ui& ui, const Rect& line) {
-  Point at{line.right() - effects_marks_width(ui), line.mid_y()};
-  at.x += pill(ui, at, ui.text("result.effects.unscored"), Meaning::Neutral, false) + 8.0F;
+void draw_effects_marks(Ui& ui, const Rect& line, bool is_scored) {
+  Point at{line.right() - effects_marks_width(ui, is_scored), line.mid_y()};
+  if (!is_scored)
+    at.x += pill(ui, at, ui.text("result.effects.unscored"), Meaning::Neutral, false) + 8.0F;
   pill(ui, at, ui.text("result.mark.not_reviewed"), Meaning::Warn);
 }
 

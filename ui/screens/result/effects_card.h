@@ -18,9 +18,9 @@ std::optional<double> draw_effects(Ui& ui, const Rect& rect, const EffectFacts& 
 float effects_height(const Ui& ui, const EffectFacts& effects, float width,
                      const TimelineState& state);
 
-/// That nothing of it is scored, and no surgeon has reviewed it: from the right end of `line` where
-/// the title leaves room.
-void draw_effects_marks(Ui& ui, const Rect& line);
-float effects_marks_width(const Ui& ui);
+/// That no surgeon has reviewed it, and that nothing of it is scored where that is so: from the
+/// right end of `line` where the title leaves room.
+void draw_effects_marks(Ui& ui, const Rect& line, bool is_scored);
+float effects_marks_width(const Ui& ui, bool is_scored);
 
 }  // namespace hallux::ui

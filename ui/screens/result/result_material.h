@@ -68,7 +68,7 @@ struct CutAgainstPlan {
   std::vector<IsoPlace> iso_places;
 };
 
-/// What the saw did beside the cut: by models, and nothing of it is scored.
+/// What the saw did beside the cut, by models.
 struct EffectFacts {
   Traces traces;
   /// None: none was watched.

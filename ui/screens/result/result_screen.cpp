@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "simulator/base/units.h"
+#include "ui/report/effects_text.h"
 #include "ui/report/measured_text.h"
 #include "ui/screens/parts/value_text.h"
 #include "ui/screens/result/effects_card.h"
@@ -389,9 +390,9 @@ void ResultScreen::draw_plan(Ui& ui, const Rect& rect, Shell& shell) {
 
 float ResultScreen::effects_card_height(const Ui& ui, float width) const {
   const float inside = width - 2.0F * space::card;
-  const bool has_room_for_marks =
-      ui.width_of(Type::CardTitle, ui.text("result.effects")) + 20.0F + effects_marks_width(ui) <=
-      inside;
+  const bool has_room_for_marks = ui.width_of(Type::CardTitle, ui.text("result.effects")) + 20.0F +
+                                      effects_marks_width(ui, are_effects_scored()) <=
+                                  inside;
   const float content = examined_.has_value()
                             ? effects_height(ui, examined_.value()->effects, inside, effects_time_)
                             : unseen_effects_height;
@@ -401,16 +402,21 @@ float ResultScreen::effects_card_height(const Ui& ui, float width) const {
 void ResultScreen::draw_effects_card(Ui& ui, const Rect& rect) {
   Rect inside = card(ui, rect, ui.text("result.effects"));
   const float title_width = ui.width_of(Type::CardTitle, ui.text("result.effects"));
-  if (title_width + 20.0F + effects_marks_width(ui) <= inside.w) {
-    draw_effects_marks(ui, {inside.x, rect.y + 18.0F, inside.w, 24.0F});
+  if (title_width + 20.0F + effects_marks_width(ui, are_effects_scored()) <= inside.w) {
+    draw_effects_marks(ui, {inside.x, rect.y + 18.0F, inside.w, 24.0F}, are_effects_scored());
   } else {
     const Rect line = take_top(inside, pill_step);
-    draw_effects_marks(ui, {line.x, line.y, effects_marks_width(ui), 22.0F});
+    draw_effects_marks(ui, {line.x, line.y, effects_marks_width(ui, are_effects_scored()), 22.0F},
+                       are_effects_scored());
   }
   if (!examined_.draw_until_ready(ui, "result.effects.unseen", inside, 6)) return;
   const auto asked_s =
       draw_effects(ui, inside, examined_.value()->effects, chosen_moment_s(), effects_time_);
   if (asked_s) navigator_.show_replay(facts().header.id, *asked_s);
+}
+
+bool ResultScreen::are_effects_scored() const noexcept {
+  return facts().score && ui::are_effects_scored(facts().score->card);
 }
 
 bool ResultScreen::shows_what_if() const {

@@ -50,6 +50,7 @@ class ResultScreen : public Screen {
   /// The card of what the saw did beside the cut; loading and failed like the plan's.
   float effects_card_height(const Ui& ui, float width) const;
   void draw_effects_card(Ui& ui, const Rect& rect);
+  bool are_effects_scored() const noexcept;
   /// A gain is the difference to the stored score, so that must be what this program computes; as
   /// long as that is not known it is taken to be.
   bool shows_what_if() const;
