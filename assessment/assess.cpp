@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "assessment/card_facts.h"
@@ -14,6 +15,8 @@
 #include "assessment/measure_piece.h"
 #include "assessment/measure_process.h"
 #include "assessment/process/sawn_after_done.h"
+#include "assessment/rebuild/bound.h"
+#include "assessment/rebuild/geometry_bounds.h"
 #include "assessment/sentences.h"
 
 namespace hallux::assessment {
@@ -65,6 +68,17 @@ void measure_all(Examination& examination, const Evidence& evidence, const Follo
   add(all, measure_process(evidence, effects));
 }
 
+void bound_geometry(std::vector<Measurement>& all, const Evidence& evidence) {
+  for (Measurement& each : all) {
+    if (!each.is_measured()) continue;
+    const scenarios::Metric metric = scenarios::find_metric(each.metric)->metric;
+    std::optional<double> bound;
+    if (!each.hinge.empty()) bound = bound_of_hinge(metric, each.hinge, evidence);
+    if (!each.cut.empty()) bound = bound_of_cut(metric, each.cut, evidence);
+    if (bound) each.bound = *bound + rounding_bound;
+  }
+}
+
 }  // namespace
 
 Examination assess_fully(const scenarios::Scenario& scenario, const simulator::Bone& bone,
@@ -109,6 +123,7 @@ std::vector<Measurement> measure_geometry(const Evidence& evidence) {
     add(all, measure_hinge(hinge, evidence, all));
   add(all, measure_pieces(evidence, surface));
   all.push_back(joint_margin_measurement(evidence));
+  bound_geometry(all, evidence);
   return all;
 }
 

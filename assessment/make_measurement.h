@@ -15,7 +15,8 @@ struct Moment {
   std::int64_t first_tick = 0, last_tick = 0;
 };
 
-/// ensures the value is rounded to 1e-6 of its unit, and nothing else rounds it
+/// ensures the value is rounded to 1e-6 of its unit, and nothing else rounds it; that is its bound,
+///         beside the finding's; claims and counts are exact
 Measurement measured(scenarios::Metric metric, double value, const Moment& moment,
                      const Vec3& place_in_bone_mm);
 Measurement measured(scenarios::Metric metric, const Finding& finding,

@@ -7,6 +7,8 @@
 
 #include "assessment/make_measurement.h"
 #include "assessment/metrics/face_metrics.h"
+#include "assessment/rebuild/bound.h"
+#include "assessment/rebuild/geometry_bounds.h"
 #include "simulator/base/units.h"
 
 namespace hallux::assessment {
@@ -50,6 +52,7 @@ double shortening_mm(const RigidTransform& bone_from_moved, const simulator::Bon
 /// How the first face lies against the second one after it was turned with its half.
 struct Contact {
   double gap_mm = 0.0, share = 0.0;
+  double gap_bound_mm = 0.0, share_bound = 0.0;
   Vec3 widest_in_bone_mm{0.0, 0.0, 0.0};
 };
 
@@ -60,17 +63,23 @@ Contact contact_of(const CutFace& first, const CutFace& second,
       transform_point(bone_from_moved, second.plane.offset_mm * second.plane.normal);
   const FacePlane turned{normal, glm::dot(normal, on_plane_mm)};
   Contact contact;
-  std::size_t touching = 0;
+  const double slope = length_of(glm::cross(normal, first.plane.normal));
+  // A sample stands for half a step to all sides of it.
+  const double unsure_mm = 0.5 * diagonal * slope * first.step_mm + 2.0 * plane_bound_mm;
+  std::size_t touching = 0, unsure = 0;
   for (const Vec3& sample_mm : first.samples_in_bone_mm) {
     // The waste of the second face lies towards its normal: on that side the faces stand apart.
     const double apart_mm = signed_distance_mm(turned, sample_mm);
     if (apart_mm <= touching_mm) ++touching;
+    if (std::abs(apart_mm - touching_mm) <= unsure_mm) ++unsure;
     if (apart_mm <= contact.gap_mm) continue;
     contact.gap_mm = apart_mm;
     contact.widest_in_bone_mm = sample_mm;
   }
-  contact.share =
-      static_cast<double>(touching) / static_cast<double>(first.samples_in_bone_mm.size());
+  const auto count = static_cast<double>(first.samples_in_bone_mm.size());
+  contact.share = static_cast<double>(touching) / count;
+  contact.share_bound = std::min(1.0, static_cast<double>(unsure) / count + area_bound(first));
+  contact.gap_bound_mm = reach_bound_mm(first, slope) + plane_bound_mm;
   return contact;
 }
 
@@ -93,6 +102,8 @@ std::array<Measurement, 4> measure_closing(const Evidence& evidence, const Plann
                    place_mm),
           measured(Metric::GapMm, contact.gap_mm, moment, contact.widest_in_bone_mm),
           measured(Metric::ContactShare, contact.share, moment, contact.widest_in_bone_mm)};
+  made[2].bound += contact.gap_bound_mm;
+  made[3].bound += contact.share_bound;
   return made;
 }
 

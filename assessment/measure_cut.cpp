@@ -121,6 +121,7 @@ void add_flatness(std::vector<Measurement>& measurements, const PlannedCut& plan
   }
   measurements.push_back(measurement(planned, Metric::FlatnessMm, flatness->flatness_mm,
                                      {flatness->tick, flatness->tick}, flatness->point_in_bone_mm));
+  measurements.back().bound += flatness->bound_mm;
 }
 
 /// How far the face lies beyond the plan where it is deepest, and where it is shallowest, and which
@@ -230,6 +231,7 @@ void add_break_throughs(std::vector<Measurement>& made, const PlannedCut& planne
   const Vec3 place_mm =
       worst.plunge_mm.value > 0.0 ? worst.plunge_in_bone_mm : planned.exit_point_in_bone_mm;
   made.push_back(measurement(planned, Metric::PlungeMm, worst.plunge_mm.value, plunge, place_mm));
+  made.back().bound += worst.plunge_mm.bound;
   const auto add = [&](Metric metric, const std::optional<Finding>& finding) {
     if (!finding) {
       made.push_back(absent_of(planned, metric, Absence::Undefined));
@@ -237,6 +239,7 @@ void add_break_throughs(std::vector<Measurement>& made, const PlannedCut& planne
     }
     made.push_back(measurement(planned, metric, finding->value,
                                {finding->first_tick, finding->last_tick}, place_mm));
+    made.back().bound += finding->bound;
   };
   add(Metric::BreakthroughNewton, worst.force_newton);
   add(Metric::BreakthroughMmS, worst.speed_mm_s);

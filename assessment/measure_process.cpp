@@ -63,18 +63,28 @@ class ProcessList {
 struct ZoneSum {
   std::int64_t contacts = 0;
   double contact_s = 0.0, depth_mm = 0.0;
+  double bound_s = 0.0, bound_mm = 0.0;
   std::optional<ZoneContacts> touched;
 };
 
 ZoneSum sum_of(const FollowedEffects& effects, std::size_t zone) {
   const simulator::DangerTrack& track = effects.zone(zone);
-  return {track.contacts, track.contact_s, std::max(0.0, -track.least_mm), effects.contacts(zone)};
+  return {track.contacts,
+          track.contact_s,
+          std::max(0.0, -track.least_mm),
+          effects.danger_bound_s(zone),
+          effects.danger_bound_mm(zone),
+          effects.contacts(zone)};
 }
 
 void add_to(ZoneSum& all, const ZoneSum& one) {
   all.contacts += one.contacts;
   all.contact_s += one.contact_s;
+  // The deepest of all is no deeper than any zone could be.
+  const double deepest_mm = std::max(all.depth_mm + all.bound_mm, one.depth_mm + one.bound_mm);
   all.depth_mm = std::max(all.depth_mm, one.depth_mm);
+  all.bound_mm = deepest_mm - all.depth_mm;
+  all.bound_s += one.bound_s;
   if (!one.touched) return;
   if (!all.touched) {
     all.touched = one.touched;
@@ -91,11 +101,16 @@ void add_zone(ProcessList& list, const ZoneSum& sum, const std::string& zone,
               const std::vector<std::string>& titles, std::int64_t end_tick) {
   const ZoneContacts at = sum.touched.value_or(ZoneContacts{0, end_tick, {0.0, 0.0, 0.0}});
   const Moment moment{at.first_tick, at.last_tick};
-  for (const auto& [metric, value] :
-       {std::pair{Metric::DangerContactsCount, static_cast<double>(sum.contacts)},
-        std::pair{Metric::DangerS, sum.contact_s},
-        std::pair{Metric::DangerDepthMm, sum.depth_mm}}) {
+  struct Row {
+    Metric metric;
+    double value, bound;
+  };
+  for (const auto& [metric, value, bound] :
+       {Row{Metric::DangerContactsCount, static_cast<double>(sum.contacts), 0.0},
+        Row{Metric::DangerS, sum.contact_s, sum.bound_s},
+        Row{Metric::DangerDepthMm, sum.depth_mm, sum.bound_mm}}) {
     list.add(measured(metric, value, moment, at.place_in_bone_mm));
+    list.last().bound += bound;
     list.last().zone = zone;
     if (!titles.empty()) list.last().detail = {DetailKind::Zones, {}, titles};
   }
@@ -127,6 +142,8 @@ void add_heat(ProcessList& list, const FollowedEffects& effects, std::int64_t en
   const auto add = [&](Metric metric, double value, const std::optional<HeatPlace>& place) {
     const HeatPlace at = place.value_or(HeatPlace{0, {0.0, 0.0, 0.0}});
     list.add(measured(metric, value, {at.tick, place ? at.tick : end_tick}, at.place_in_bone_mm));
+    list.last().bound +=
+        metric == Metric::HotS ? effects.hot_bound_s() : effects.necrotic_bound_mm3();
   };
   add(Metric::HotS, effects.heat().hot_s, effects.hot());
   list.last().detail = {
@@ -156,7 +173,8 @@ Absence absence_of_movements(const Evidence& evidence) {
 
 void add_movements(ProcessList& list, const Evidence& evidence, const simulator::Bvh& surface) {
   const std::vector<HandleStretch> stretches = handle_stretches(evidence.recording);
-  const Smoothness smoothness = measure_smoothness(stretches);
+  const Smoothness smoothness =
+      measure_smoothness(stretches, handle_stretches(evidence.recording, 2));
   const Absence why = absence_of_movements(evidence);
   list.add(Metric::Sparc, smoothness.sparc, why);
   list.add(Metric::Ldlj, smoothness.ldlj, why);

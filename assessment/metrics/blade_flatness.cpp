@@ -1,11 +1,34 @@
 #include "assessment/metrics/blade_flatness.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "assessment/metrics/face_plane.h"
+#include "simulator/record/record.h"
 
 namespace hallux::assessment {
+
+namespace {
+
+/// Both ends and the middle of the tooth line.
+constexpr std::size_t points_per_sample = 3;
+
+/// The most by which a point's distance changes from a sample to the next.
+double greatest_change_mm(std::span<const ToothPoint> points,
+                          std::span<const double> residuals_mm) {
+  double greatest_mm = 0.0;
+  for (std::size_t index = points_per_sample; index < points.size(); ++index) {
+    const ToothPoint& before = points[index - points_per_sample];
+    const bool follows = points[index].tick - before.tick <= simulator::ticks_per_line_max;
+    if (!follows) continue;
+    greatest_mm = std::max(greatest_mm,
+                           std::abs(residuals_mm[index] - residuals_mm[index - points_per_sample]));
+  }
+  return greatest_mm;
+}
+
+}  // namespace
 
 std::optional<Flatness> measure_flatness(std::span<const ToothPoint> points) {
   std::vector<Vec3> places_mm;
@@ -23,6 +46,7 @@ std::optional<Flatness> measure_flatness(std::span<const ToothPoint> points) {
     flatness.point_in_bone_mm = point.point_in_bone_mm;
   }
   flatness.flatness_mm = percentile(residuals_mm, 0.975) - percentile(residuals_mm, 0.025);
+  flatness.bound_mm = 2.0 * greatest_change_mm(points, residuals_mm);
   return flatness;
 }
 

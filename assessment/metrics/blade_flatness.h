@@ -18,6 +18,9 @@ struct ToothPoint {
 struct Flatness {
   /// 97.5th minus 2.5th percentile of the distances from their own plane.
   double flatness_mm = 0.0;
+  /// Between two ticks a point goes no further off that plane than from one to the other: the
+  /// greatest of these ways, for both percentiles.
+  double bound_mm = 0.0;
   /// Of the point furthest from that plane.
   std::int64_t tick = 0;
   Vec3 point_in_bone_mm{0.0, 0.0, 0.0};

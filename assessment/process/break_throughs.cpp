@@ -1,6 +1,7 @@
 #include "assessment/process/break_throughs.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
@@ -31,17 +32,36 @@ void raise_plunge(BreakThroughs& worst, const BreakThroughWorld& world, const Cu
   const RigidTransform bone_from_tool_then =
       world.bone_from_world * transform_from(after.front().world_from_tool);
   const Vec3 feed = axis_x(bone_from_tool_then);
+  double before_mm = 0.0, longest_mm = 0.0;
   for (const ToolSample& sample : after) {
     const RigidTransform bone_from_tool =
         world.bone_from_world * transform_from(sample.world_from_tool);
+    double furthest_mm = -INFINITY;
     for (const double aside_mm : {-0.5 * world.blade.width_mm, 0.5 * world.blade.width_mm}) {
       const Vec3 tooth_mm = transform_point(bone_from_tool, Vec3{0.0, aside_mm, 0.0});
       const double plunge_mm = glm::dot(feed, tooth_mm - bone_from_tool_then.translation_mm);
+      furthest_mm = std::max(furthest_mm, plunge_mm);
       if (plunge_mm <= worst.plunge_mm.value) continue;
-      worst.plunge_mm = {plunge_mm, event.tick, sample.tick};
+      worst.plunge_mm = {plunge_mm, event.tick, sample.tick, worst.plunge_mm.bound};
       worst.plunge_in_bone_mm = tooth_mm;
     }
+    if (&sample != &after.front())
+      longest_mm = std::max(longest_mm, std::abs(furthest_mm - before_mm));
+    before_mm = furthest_mm;
   }
+  // Where the teeth stood as they left bone, and where they were furthest, each within a tick.
+  worst.plunge_mm.bound = std::max(worst.plunge_mm.bound, 2.0 * longest_mm);
+}
+
+/// The greatest less the least of what `of(index)` says, for indices below `count`.
+template <typename Of>
+double range_of(std::size_t count, Of&& of) {
+  double least = INFINITY, greatest = -INFINITY;
+  for (std::size_t index = 0; index < count; ++index) {
+    least = std::min(least, of(index));
+    greatest = std::max(greatest, of(index));
+  }
+  return greatest > least ? greatest - least : 0.0;
 }
 
 void raise_force(BreakThroughs& worst, const BreakThroughWorld& world, const CutEvent& event) {
@@ -51,7 +71,11 @@ void raise_force(BreakThroughs& worst, const BreakThroughWorld& world, const Cut
   for (const ToolSample& sample : before) sum_newton += simulator::force_size_newton(sample);
   const double mean_newton = sum_newton / static_cast<double>(before.size());
   if (worst.force_newton && worst.force_newton->value >= mean_newton) return;
-  worst.force_newton = Finding{mean_newton, before.front().tick, event.tick};
+  // A tick sooner or later one of them is another one.
+  const double range_newton = range_of(
+      before.size(), [&](std::size_t i) { return simulator::force_size_newton(before[i]); });
+  worst.force_newton = Finding{mean_newton, before.front().tick, event.tick,
+                               range_newton / static_cast<double>(before.size())};
 }
 
 void raise_speed(BreakThroughs& worst, const BreakThroughWorld& world, const CutEvent& event) {
@@ -63,7 +87,14 @@ void raise_speed(BreakThroughs& worst, const BreakThroughWorld& world, const Cut
   const double speed_mm_s =
       std::max(0.0, way_mm / second_from_tick(after.back().tick - after.front().tick));
   if (worst.speed_mm_s && worst.speed_mm_s->value >= speed_mm_s) return;
-  worst.speed_mm_s = Finding{speed_mm_s, after.front().tick, after.back().tick};
+  // A tick sooner or later one of the ways from tick to tick is another one.
+  const double range_mm = range_of(after.size() - 1, [&](std::size_t i) {
+    const Vec3 step_mm = transform_from(after[i + 1].world_from_tool).translation_mm -
+                         transform_from(after[i].world_from_tool).translation_mm;
+    return glm::dot(step_mm, axis_x(first));
+  });
+  worst.speed_mm_s = Finding{speed_mm_s, after.front().tick, after.back().tick,
+                             range_mm / second_from_tick(after.back().tick - after.front().tick)};
 }
 
 }  // namespace

@@ -19,10 +19,12 @@ FollowedEffects::FollowedEffects(const simulator::Bone& bone, const simulator::S
                                  const scenarios::Plan& plan)
     : tissue_(bone),
       effects_(bone.world_from_bone, {saw, false}, capsules_of(plan)),
+      steps_(saw.blade, plan.danger_zones.size()),
       contacts_(plan.danger_zones.size()) {}
 
 void FollowedEffects::follow(const simulator::ToolSample& sample, const simulator::KerfSet& kerfs) {
   effects_.apply(sample, {tissue_, kerfs, {}});
+  steps_.note(sample, effects_);
   for (CutEvent event; effects_.take_event(kerfs, event);) note(event);
   for (std::size_t index = 0; index < contacts_.size(); ++index) {
     if (contacts_[index] && zone(index).state == simulator::DangerState::Contact)

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "assessment/process/effect_steps.h"
 #include "scenarios/plan.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/step/tool_effects.h"
@@ -44,7 +45,18 @@ class FollowedEffects {
   const std::optional<ZoneContacts>& contacts(std::size_t zone) const noexcept {
     return contacts_[zone];
   }
+  /// Of the zone's time and depth (see Measurement::bound).
+  double danger_bound_s(std::size_t index) const noexcept {
+    return steps_.danger_bound_s(index, zone(index));
+  }
+  double danger_bound_mm(std::size_t index) const noexcept {
+    return steps_.danger_bound_mm(index, zone(index));
+  }
   const simulator::HeatSummary& heat() const noexcept { return effects_.heat().summary(); }
+  double hot_bound_s() const noexcept { return steps_.hot_bound_s(); }
+  double necrotic_bound_mm3() const noexcept {
+    return assessment::necrotic_bound_mm3(effects_.heat());
+  }
   /// Of bone above 47 degrees, and of bone that heat killed.
   const std::optional<HeatPlace>& hot() const noexcept { return hot_; }
   const std::optional<HeatPlace>& dead() const noexcept { return dead_; }
@@ -54,6 +66,7 @@ class FollowedEffects {
 
   simulator::TissueMap tissue_;
   simulator::ToolEffects effects_;
+  EffectSteps steps_;
   std::vector<std::optional<ZoneContacts>> contacts_;
   std::optional<HeatPlace> hot_, dead_;
 };

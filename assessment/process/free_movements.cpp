@@ -1,6 +1,7 @@
 #include "assessment/process/free_movements.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "assessment/metrics/face_plane.h"
@@ -21,21 +22,16 @@ bool is_free(std::uint32_t status) noexcept {
   return !has(status, ToolStatus::InContact) && !has(status, ToolStatus::InKerf);
 }
 
-std::optional<Finding> median_of(const std::vector<Finding>& movements) {
-  if (movements.size() < least_movements) return std::nullopt;
-  std::vector<double> values;
-  values.reserve(movements.size());
-  for (const Finding& movement : movements) values.push_back(movement.value);
-  const Finding& roughest =
-      *std::min_element(movements.begin(), movements.end(),
-                        [](const Finding& a, const Finding& b) { return a.value < b.value; });
-  return Finding{percentile(std::move(values), 0.5), roughest.first_tick, roughest.last_tick};
-}
+/// One value of each free movement; its bound is of where the movement begins and ends, each within
+/// a tick.
+using Values = std::vector<Finding>;
 
-}  // namespace
+struct Movements {
+  Values arcs, jerks;
+};
 
-Smoothness measure_smoothness(std::span<const HandleStretch> stretches) {
-  std::vector<Finding> arcs, jerks;
+Movements movements_of(std::span<const HandleStretch> stretches) {
+  Movements found;
   for (const HandleStretch& stretch : stretches) {
     for_each_run(
         stretch,
@@ -46,12 +42,68 @@ Smoothness measure_smoothness(std::span<const HandleStretch> stretches) {
           const std::size_t count = last - first + 1;
           if (count < least_ticks) return;
           const auto speeds = std::span(stretch.speed_mm_s).subspan(first, count);
+          const auto shorter = speeds.subspan(1, count - 2);
           const std::int64_t first_tick = stretch.tick_at(first), last_tick = stretch.tick_at(last);
-          arcs.push_back({spectral_arc_length(speeds, rate_hz), first_tick, last_tick});
-          jerks.push_back({log_dimensionless_jerk(speeds, rate_hz), first_tick, last_tick});
+          const auto add = [&](Values& values, auto&& measure) {
+            const double value = measure(speeds, rate_hz);
+            values.push_back(
+                {value, first_tick, last_tick, std::abs(value - measure(shorter, rate_hz))});
+          };
+          add(found.arcs, spectral_arc_length);
+          add(found.jerks, log_dimensionless_jerk);
         });
   }
-  return {median_of(arcs), median_of(jerks)};
+  return found;
+}
+
+double median_of(const Values& movements, double fraction = 0.5) {
+  std::vector<double> values;
+  values.reserve(movements.size());
+  for (const Finding& movement : movements) values.push_back(movement.value);
+  return percentile(std::move(values), fraction);
+}
+
+/// Of a median over which so many values more or fewer are laid.
+double neighbours_bound(const Values& movements, double more) {
+  const double share = std::min(0.5, 0.5 * more / static_cast<double>(movements.size() - 1));
+  const double median = median_of(movements);
+  return std::max(median - median_of(movements, 0.5 - share),
+                  median_of(movements, 0.5 + share) - median);
+}
+
+/// By what twice the step makes of the movements: a median moves by no more than the value that
+/// moves most, and where a movement is just long enough, or just not, to its neighbour.
+double bound_of(const Values& movements, const Values& coarse) {
+  double ends = 0.0, steps = 0.0;
+  for (const Finding& movement : movements) ends = std::max(ends, movement.bound);
+  if (coarse.empty()) return ends;
+  const double more =
+      std::abs(static_cast<double>(movements.size()) - static_cast<double>(coarse.size()));
+  if (more > 0.0) {
+    steps = std::abs(median_of(movements) - median_of(coarse));
+  } else {
+    for (std::size_t index = 0; index < movements.size(); ++index)
+      steps = std::max(steps, std::abs(movements[index].value - coarse[index].value));
+  }
+  return ends + steps + neighbours_bound(movements, std::max(1.0, more));
+}
+
+std::optional<Finding> smoothness_of(const Values& movements, const Values& coarse) {
+  if (movements.size() < least_movements) return std::nullopt;
+  const Finding& roughest =
+      *std::min_element(movements.begin(), movements.end(),
+                        [](const Finding& a, const Finding& b) { return a.value < b.value; });
+  return Finding{median_of(movements), roughest.first_tick, roughest.last_tick,
+                 bound_of(movements, coarse)};
+}
+
+}  // namespace
+
+Smoothness measure_smoothness(std::span<const HandleStretch> stretches,
+                              std::span<const HandleStretch> coarse) {
+  const Movements movements = movements_of(stretches), coarser = movements_of(coarse);
+  return {smoothness_of(movements.arcs, coarser.arcs),
+          smoothness_of(movements.jerks, coarser.jerks)};
 }
 
 }  // namespace hallux::assessment

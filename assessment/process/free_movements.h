@@ -18,6 +18,9 @@ struct Smoothness {
 
 /// A free movement is a longest run of ticks in which neither a tooth touched bone nor a kerf held
 /// the blade and the handle moved with 5 mm/s or more, of at least 0.3 s.
-Smoothness measure_smoothness(std::span<const HandleStretch> stretches);
+/// coarse   the same recording at twice the step (see handle_stretches), which bounds the values
+/// ensures  without `coarse` the bounds are of the movements' ends alone
+Smoothness measure_smoothness(std::span<const HandleStretch> stretches,
+                              std::span<const HandleStretch> coarse = {});
 
 }  // namespace hallux::assessment

@@ -27,11 +27,14 @@ HandleStretch with_speeds(PlaceStretch&& places) {
 
 }  // namespace
 
-std::vector<HandleStretch> handle_stretches(const simulator::Recording& recording) {
-  std::vector<PlaceStretch> places =
-      followed_places(recording, [](const simulator::TapeLine& line, const simulator::ToolSample&) {
+std::vector<HandleStretch> handle_stretches(const simulator::Recording& recording,
+                                            std::size_t together) {
+  std::vector<PlaceStretch> places = followed_places(
+      recording,
+      [](const simulator::TapeLine& line, const simulator::ToolSample&) {
         return std::optional(transform_from(line.device.world_from_handle).translation_mm);
-      });
+      },
+      together);
   std::vector<HandleStretch> stretches;
   stretches.reserve(places.size());
   for (PlaceStretch& each : places) stretches.push_back(with_speeds(std::move(each)));

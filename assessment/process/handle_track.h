@@ -24,8 +24,10 @@ struct HandleStretch {
 
 /// The handle's place is low-passed over each stretch (10 Hz, there and back). Between lines that
 /// cover several ticks it is taken as having moved evenly; a pause and a gap end a stretch.
-/// needs   tape and samples are in the order of their ticks
-std::vector<HandleStretch> handle_stretches(const simulator::Recording& recording);
+/// together  so many lines count as one (see followed_places)
+/// needs     tape and samples are in the order of their ticks
+std::vector<HandleStretch> handle_stretches(const simulator::Recording& recording,
+                                            std::size_t together = 1);
 
 /// Calls visit(first, last), both ends included, for each longest run of ticks of a stretch for
 /// which `holds(index)` is true.

@@ -27,13 +27,18 @@ std::optional<std::int64_t> first_tick_of(const Recording& recording, CutEventKi
 
 /// The running time in (first, last].
 Finding running_time(const Recording& recording, std::int64_t first_tick, std::int64_t last_tick) {
-  std::int64_t ticks = 0;
+  // Both ends, and each pause's, lie within the ticks of a sample.
+  std::int64_t ticks = 0, edge_ticks = 2;
+  bool did_run = true;
   for (std::size_t index = 0; index < recording.samples.size(); ++index) {
     const ToolSample& sample = recording.samples[index];
     if (sample.tick <= first_tick || sample.tick > last_tick) continue;
-    if (has(sample.status, ToolStatus::Running)) ticks += ticks_covered(recording.samples, index);
+    const bool runs = has(sample.status, ToolStatus::Running);
+    if (runs) ticks += ticks_covered(recording.samples, index);
+    if (runs != did_run) edge_ticks += ticks_covered(recording.samples, index);
+    did_run = runs;
   }
-  return {second_from_tick(ticks), first_tick, last_tick};
+  return {second_from_tick(ticks), first_tick, last_tick, second_from_tick(edge_ticks)};
 }
 
 std::optional<std::int64_t> first_cutting_tick(const Recording& recording) {
@@ -46,7 +51,7 @@ std::optional<std::int64_t> first_cutting_tick(const Recording& recording) {
 
 Finding idle_time(std::span<const HandleStretch> stretches) {
   Finding idle;
-  std::int64_t sum_ticks = 0, longest_ticks = 0;
+  std::int64_t sum_ticks = 0, longest_ticks = 0, edge_ticks = 0;
   for (const HandleStretch& stretch : stretches) {
     for_each_run(
         stretch,
@@ -58,6 +63,7 @@ Finding idle_time(std::span<const HandleStretch> stretches) {
           const auto ticks = static_cast<std::int64_t>(last - first + 1);
           if (ticks <= least_idle_ticks) return;
           sum_ticks += ticks;
+          edge_ticks += 2;
           if (ticks <= longest_ticks) return;
           longest_ticks = ticks;
           idle.first_tick = stretch.tick_at(first);
@@ -65,6 +71,7 @@ Finding idle_time(std::span<const HandleStretch> stretches) {
         });
   }
   idle.value = second_from_tick(sum_ticks);
+  idle.bound = second_from_tick(edge_ticks);
   return idle;
 }
 

@@ -16,13 +16,24 @@ void add_place(PlaceStretch& stretch, const Vec3& place_mm, std::uint32_t status
   stretch.status.push_back(status);
 }
 
-/// The ticks that a line covers, the thing moving evenly to where the line has it.
-void add_line(PlaceStretch& stretch, const TapeLine& line, const Vec3& place_mm,
-              std::uint32_t status) {
-  if (stretch.count() == 0) stretch.first_tick = line.tick;
+/// Lines that count as one.
+struct LineSum {
+  std::int64_t first_tick = 0, ticks = 0;
+  std::size_t count = 0;
+
+  void add(const TapeLine& line) noexcept {
+    if (count++ == 0) first_tick = line.tick;
+    ticks += line.ticks;
+  }
+};
+
+/// The ticks that lines cover, the thing moving evenly to where the last of them has it.
+void add_lines(PlaceStretch& stretch, const LineSum& lines, const Vec3& place_mm,
+               std::uint32_t status) {
+  if (stretch.count() == 0) stretch.first_tick = lines.first_tick;
   const Vec3 from_mm = stretch.count() == 0 ? place_mm : stretch.at_mm(stretch.count() - 1);
-  for (int tick = 1; tick <= line.ticks; ++tick) {
-    const double share = static_cast<double>(tick) / line.ticks;
+  for (std::int64_t tick = 1; tick <= lines.ticks; ++tick) {
+    const double share = static_cast<double>(tick) / static_cast<double>(lines.ticks);
     add_place(stretch, from_mm + share * (place_mm - from_mm), status);
   }
 }
@@ -30,10 +41,12 @@ void add_line(PlaceStretch& stretch, const TapeLine& line, const Vec3& place_mm,
 }  // namespace
 
 std::vector<PlaceStretch> followed_places(const simulator::Recording& recording,
-                                          const PlaceAt& place_at) {
+                                          const PlaceAt& place_at, std::size_t together) {
   std::vector<PlaceStretch> stretches;
   PlaceStretch stretch;
+  LineSum lines;
   const auto end_stretch = [&] {
+    lines = {};
     if (stretch.count() == 0) return;
     for (std::vector<double>& axis_mm : stretch.axes_mm) axis_mm = low_passed(axis_mm, {});
     stretches.push_back(std::exchange(stretch, {}));
@@ -48,7 +61,10 @@ std::vector<PlaceStretch> followed_places(const simulator::Recording& recording,
     const std::optional<Vec3> place_mm = runs ? place_at(line, *sample) : std::nullopt;
     if (!place_mm || line.tick != next_tick) end_stretch();
     next_tick = last_tick + 1;
-    if (place_mm) add_line(stretch, line, *place_mm, sample->status);
+    if (!place_mm) continue;
+    lines.add(line);
+    if (lines.count < together) continue;
+    add_lines(stretch, std::exchange(lines, {}), *place_mm, sample->status);
   }
   end_stretch();
   return stretches;

@@ -32,8 +32,10 @@ using PlaceAt = std::function<std::optional<Vec3>(const simulator::TapeLine& lin
 
 /// Low-passed over each stretch (10 Hz, there and back). Over a line that covers several ticks the
 /// thing is taken as having moved evenly; a pause and a gap end a stretch.
+/// together  so many lines count as one, as if the last of them alone had been recorded: what twice
+///           the steps would make of it
 /// needs   tape and samples are in the order of their ticks
 std::vector<PlaceStretch> followed_places(const simulator::Recording& recording,
-                                          const PlaceAt& place_at);
+                                          const PlaceAt& place_at, std::size_t together = 1);
 
 }  // namespace hallux::assessment

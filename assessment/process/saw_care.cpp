@@ -1,5 +1,7 @@
 #include "assessment/process/saw_care.h"
 
+#include <algorithm>
+
 #include "assessment/process/sample_spans.h"
 #include "assessment/process/tool_place.h"
 #include "simulator/base/units.h"
@@ -21,7 +23,7 @@ bool touches(const ToolSample& sample) noexcept {
 Finding air_time(std::span<const ToolSample> samples, const simulator::Bvh& surface,
                  const RigidTransform& bone_from_world) {
   Finding air;
-  std::int64_t longest_ticks = 0, sum_ticks = 0;
+  std::int64_t longest_ticks = 0, sum_ticks = 0, edge_ticks = 0;
   NearBone near(surface);
   for_each_stretch(
       samples,
@@ -35,12 +37,14 @@ Finding air_time(std::span<const ToolSample> samples, const simulator::Bvh& surf
             samples[last].tick - samples[first].tick + ticks_covered(samples, first);
         if (ticks <= least_air_ticks) return;
         sum_ticks += ticks;
+        edge_ticks += ticks_covered(samples, first) + ticks_covered(samples, last);
         if (ticks <= longest_ticks) return;
         longest_ticks = ticks;
         air.first_tick = samples[first].tick;
         air.last_tick = samples[last].tick;
       });
   air.value = second_from_tick(sum_ticks);
+  air.bound = second_from_tick(edge_ticks);
   return air;
 }
 
@@ -54,15 +58,22 @@ Finding start_in_bone(std::span<const ToolSample> samples) {
 }
 
 std::optional<Finding> wet_share(std::span<const ToolSample> samples) {
-  std::int64_t sawn_ticks = 0, wet_ticks = 0;
+  std::int64_t sawn_ticks = 0, wet_ticks = 0, edge_ticks = 0;
+  bool was_cutting = false, was_wet = false;
   Finding share;
   bool is_found = false;
   for (std::size_t index = 0; index < samples.size(); ++index) {
     const ToolSample& sample = samples[index];
-    if (!has(sample.status, ToolStatus::Cutting)) continue;
+    const bool is_cutting = has(sample.status, ToolStatus::Cutting);
+    const bool is_wet = is_cutting && has(sample.status, ToolStatus::Irrigated);
+    const bool is_edge = is_cutting != was_cutting || is_wet != was_wet;
+    if (is_edge) edge_ticks += ticks_covered(samples, index);
+    was_cutting = is_cutting;
+    was_wet = is_wet;
+    if (!is_cutting) continue;
     const std::int64_t ticks = ticks_covered(samples, index);
     sawn_ticks += ticks;
-    if (has(sample.status, ToolStatus::Irrigated)) {
+    if (is_wet) {
       wet_ticks += ticks;
     } else if (!is_found) {
       is_found = true;
@@ -70,7 +81,11 @@ std::optional<Finding> wet_share(std::span<const ToolSample> samples) {
     }
   }
   if (sawn_ticks == 0) return std::nullopt;
-  share.value = static_cast<double>(wet_ticks) / static_cast<double>(sawn_ticks);
+  const auto count = static_cast<double>(sawn_ticks);
+  share.value = static_cast<double>(wet_ticks) / count;
+  // All or nothing stays so, wherever the sawing began and ended.
+  const bool is_mixed = wet_ticks > 0 && wet_ticks < sawn_ticks;
+  share.bound = is_mixed ? std::min(1.0, static_cast<double>(edge_ticks) / count) : 0.0;
   return share;
 }
 

@@ -1,5 +1,6 @@
 #include "assessment/process/tool_path.h"
 
+#include <cmath>
 #include <vector>
 
 #include "assessment/process/place_track.h"
@@ -32,25 +33,44 @@ double length_mm(const PlaceStretch& stretch) {
   return way_mm;
 }
 
+double length_mm(const std::vector<PlaceStretch>& stretches) {
+  double way_mm = 0.0;
+  for (const PlaceStretch& stretch : stretches) way_mm += length_mm(stretch);
+  return way_mm;
+}
+
+/// Both ends of a stretch lie within the ticks of a line.
+double ends_bound_mm(const std::vector<PlaceStretch>& stretches) {
+  double bound_mm = 0.0;
+  for (const PlaceStretch& stretch : stretches) {
+    if (stretch.count() < 2) continue;
+    const std::size_t last = stretch.count() - 1;
+    bound_mm += length_of(stretch.at_mm(1) - stretch.at_mm(0)) +
+                length_of(stretch.at_mm(last) - stretch.at_mm(last - 1));
+  }
+  return bound_mm;
+}
+
 }  // namespace
 
 std::optional<Finding> measure_path_ratio(const Evidence& evidence, const simulator::Bvh& surface) {
   const RigidTransform bone_from_world = inverse(evidence.bone.world_from_bone);
   NearBone near(surface);
-  const std::vector<PlaceStretch> stretches = followed_places(
-      evidence.recording, [&](const TapeLine&, const ToolSample& sample) -> std::optional<Vec3> {
-        const Vec3 tip_mm = tip_in_bone_mm(sample, bone_from_world);
-        if (!near.holds(tip_mm)) return std::nullopt;
-        return tip_mm;
-      });
+  const auto tip_near_bone = [&](const TapeLine&, const ToolSample& sample) -> std::optional<Vec3> {
+    const Vec3 tip_mm = tip_in_bone_mm(sample, bone_from_world);
+    if (!near.holds(tip_mm)) return std::nullopt;
+    return tip_mm;
+  };
+  const std::vector<PlaceStretch> stretches = followed_places(evidence.recording, tip_near_bone);
   if (stretches.empty()) return std::nullopt;
   const double plan_mm = shortest_mm(evidence, stretches.front().at_mm(0));
   if (!(plan_mm > 0.0)) return std::nullopt;
-  double way_mm = 0.0;
-  for (const PlaceStretch& stretch : stretches) way_mm += length_mm(stretch);
+  const double way_mm = length_mm(stretches);
+  const double coarse_mm = length_mm(followed_places(evidence.recording, tip_near_bone, 2));
+  const double bound_mm = std::abs(way_mm - coarse_mm) + ends_bound_mm(stretches);
   const PlaceStretch& last = stretches.back();
   return Finding{way_mm / plan_mm, stretches.front().first_tick,
-                 last.first_tick + static_cast<std::int64_t>(last.count()) - 1};
+                 last.first_tick + static_cast<std::int64_t>(last.count()) - 1, bound_mm / plan_mm};
 }
 
 }  // namespace hallux::assessment

@@ -63,6 +63,8 @@ CutFace face_of_kerf(const RebuiltBone& rebuilt, std::int32_t index, const scena
   }
   face.samples_in_bone_mm = std::move(samples.points_in_bone_mm);
   face.area_mm2 = samples.area_mm2;
+  face.step_mm = samples.step_mm;
+  face.border_share = samples.border_share;
   const FacePlane exact = wall_plane(plane, side);
   face.plane = fit_plane(face.samples_in_bone_mm, exact.normal).value_or(exact);
   return face;

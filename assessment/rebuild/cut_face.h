@@ -19,6 +19,9 @@ struct CutFace {
   FacePlane plane;
   std::vector<Vec3> samples_in_bone_mm;
   double area_mm2 = 0.0;
+  /// Of the grid that the samples lie on, and how many of them are the face's border (see
+  /// FaceSamples).
+  double step_mm = 0.0, border_share = 0.0;
   bool is_finished = false;
   /// Of what was to be sawn, 1 where it is finished (see done_fraction_of).
   double done_fraction = 0.0;

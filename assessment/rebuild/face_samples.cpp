@@ -60,8 +60,27 @@ void add_heights(Heights& heights, const LocalTriangle& corners, double step_mm)
   }
 }
 
+bool is_inside(const Heights& heights, const std::pair<std::int64_t, std::int64_t>& node) {
+  for (const std::int64_t u : {-1, 0, 1}) {
+    for (const std::int64_t v : {-1, 0, 1}) {
+      if (!heights.contains({node.first + u, node.second + v})) return false;
+    }
+  }
+  return true;
+}
+
+double border_share(const Heights& heights) {
+  if (heights.empty()) return 0.0;
+  const auto border = std::count_if(heights.begin(), heights.end(), [&](const auto& each) {
+    return !is_inside(heights, each.first);
+  });
+  return static_cast<double>(border) / static_cast<double>(heights.size());
+}
+
 FaceSamples samples_from(const Heights& heights, const KerfPlane& plane, double step_mm) {
   FaceSamples samples;
+  samples.step_mm = step_mm;
+  samples.border_share = border_share(heights);
   for (const auto& [node, height_mm] : heights) {
     const Vec3 local{static_cast<double>(node.first) * step_mm,
                      static_cast<double>(node.second) * step_mm, height_mm};
@@ -72,9 +91,8 @@ FaceSamples samples_from(const Heights& heights, const KerfPlane& plane, double 
 }
 
 /// Halves the step until there are enough samples.
-FaceSamples sample_finely(const KerfPlane& plane,
+FaceSamples sample_finely(const KerfPlane& plane, double step_mm,
                           const std::function<Heights(double step_mm)>& heights_at) {
-  double step_mm = sample_step_mm;
   Heights heights = heights_at(step_mm);
   while (!heights.empty() && heights.size() < samples_wanted && 0.5 * step_mm >= finest_step_mm) {
     step_mm *= 0.5;
@@ -220,7 +238,7 @@ double opened_share(const RebuiltBone& rebuilt, std::int32_t index,
 }
 
 FaceSamples sample_wall(const CutSolid& piece, const simulator::FaceSource& wall,
-                        const KerfPlane& plane) {
+                        const KerfPlane& plane, double step_mm) {
   const RigidTransform kerf_from_bone = inverse(plane.bone_from_kerf);
   std::vector<LocalTriangle> triangles;
   for (std::size_t index = 0; index < piece.sources.size(); ++index) {
@@ -232,9 +250,9 @@ FaceSamples sample_wall(const CutSolid& piece, const simulator::FaceSource& wall
     }
     triangles.push_back(corners);
   }
-  return sample_finely(plane, [&](double step_mm) {
+  return sample_finely(plane, step_mm, [&](double finer_mm) {
     Heights heights;
-    for (const LocalTriangle& corners : triangles) add_heights(heights, corners, step_mm);
+    for (const LocalTriangle& corners : triangles) add_heights(heights, corners, finer_mm);
     return heights;
   });
 }
@@ -242,7 +260,7 @@ FaceSamples sample_wall(const CutSolid& piece, const simulator::FaceSource& wall
 FaceSamples sample_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
                           std::int32_t side) {
   const double height_mm = 0.5 * kerf.section.plane.thickness_mm * side;
-  return sample_finely(kerf.section.plane, [&](double step_mm) {
+  return sample_finely(kerf.section.plane, sample_step_mm, [&](double step_mm) {
     Heights heights;
     for (std::size_t region = 0; region < kerf.section.regions.size(); ++region) {
       if (kerf.is_touched[region] == 0) continue;

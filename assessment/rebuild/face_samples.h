@@ -19,11 +19,16 @@ struct FaceSamples {
   std::vector<Vec3> points_in_bone_mm;
   /// Of the face, as far as samples tell.
   double area_mm2 = 0.0;
+  /// Of the grid that they lie on.
+  double step_mm = sample_step_mm;
+  /// Of all samples, those that lack one of their eight neighbours: the face's border.
+  double border_share = 0.0;
 };
 
 /// Samples of one wall of a kerf on a piece; empty where the piece has nothing of that wall.
+/// step_mm  of the grid before it is made finer
 FaceSamples sample_wall(const simulator::CutSolid& piece, const simulator::FaceSource& wall,
-                        const simulator::KerfPlane& plane);
+                        const simulator::KerfPlane& plane, double step_mm = sample_step_mm);
 
 /// Samples of what the blade opened inside the bone, at the height of the wall on `side`.
 FaceSamples sample_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,

@@ -1,9 +1,9 @@
 #include "assessment/rebuild/joint_margin.h"
 
-#include <cmath>
 #include <limits>
 #include <vector>
 
+#include "assessment/rebuild/bound.h"
 #include "assessment/rebuild/face_samples.h"
 #include "simulator/mesh/bvh.h"
 
@@ -12,8 +12,6 @@ namespace hallux::assessment {
 namespace {
 
 using scenarios::Plan;
-
-constexpr double grid_mm = 0.1;
 
 /// The joint surfaces alone. A tree is built over closed meshes: so each triangle has corners of
 /// its own and a second face that looks the other way.
@@ -66,7 +64,8 @@ void lower(JointMargin& least, const JointMesh& joints, const simulator::Bvh& tr
 }  // namespace
 
 std::optional<JointMargin> measure_joint_margin(const RebuiltBone& rebuilt, const Plan& plan,
-                                                const simulator::IndexedMesh& outer) {
+                                                const simulator::IndexedMesh& outer,
+                                                double grid_mm) {
   if (plan.joint_surfaces.empty()) return std::nullopt;
   if (std::optional<JointMargin> opened = opened_corner(rebuilt, plan, outer)) return opened;
   const JointMesh joints = joint_mesh(plan, outer);
@@ -79,7 +78,7 @@ std::optional<JointMargin> measure_joint_margin(const RebuiltBone& rebuilt, cons
   }
   if (least.kerf < 0) return std::nullopt;
   // A corner of what is open lies up to a grid's diagonal from the nearest open point of the grid.
-  least.bound_mm = grid_mm * std::sqrt(2.0);
+  least.bound_mm = diagonal * grid_mm + field_bound_mm + rounding_bound;
   return least;
 }
 

@@ -19,17 +19,18 @@ struct JointMargin {
   std::int32_t kerf = -1;
   /// On the joint's surface.
   Vec3 place_in_bone_mm{0.0, 0.0, 0.0};
-  /// The margin is no more than this above the least there is.
+  /// The margin is no further than this from the least there is, once it is rounded.
   double bound_mm = 0.0;
 };
 
 /// The least distance of what the kerfs opened inside the bone from the plan's joint surfaces:
-/// of points on a 0.1 mm grid on both walls of each kerf to the triangles of the surfaces, and 0
+/// of points on a grid on both walls of each kerf to the triangles of the surfaces, and 0
 /// where a corner of such a triangle lies in an open kerf. Nothing where no bone was opened, or the
 /// plan has no joint surface.
 /// outer   of the bone as it was, in its frame
 std::optional<JointMargin> measure_joint_margin(const RebuiltBone& rebuilt,
                                                 const scenarios::Plan& plan,
-                                                const simulator::IndexedMesh& outer);
+                                                const simulator::IndexedMesh& outer,
+                                                double grid_mm = 0.1);
 
 }  // namespace hallux::assessment

@@ -100,6 +100,12 @@ double HeatField::celsius_at(std::int32_t kerf, const Vec2& place_mm) const noex
   return cells_[cell_of(kerf, number)].celsius;
 }
 
+std::int64_t HeatField::cells_with_dose(double low_min, double high_min) const noexcept {
+  return std::count_if(cells_.begin(), cells_.end(), [&](const Cell& cell) {
+    return cell.dose_min >= low_min && cell.dose_min <= high_min;
+  });
+}
+
 double HeatField::hottest_now_celsius() const noexcept {
   return *std::max_element(hottest_celsius_.begin(), hottest_celsius_.end());
 }

@@ -54,6 +54,9 @@ struct HeatSummary {
 
 class HeatField {
  public:
+  /// Each cell is followed once in so many samples.
+  static constexpr std::size_t group_count = 16;
+
   /// Takes all its memory here. A dull blade rubs as much more as it is less sharp than a new one.
   /// needs   saw.sharpness > 0
   HeatField(const Saw& saw, const RigidTransform& world_from_bone);
@@ -72,9 +75,10 @@ class HeatField {
   double hottest_now_celsius() const noexcept;
   /// Body temperature and 0 outside the cells.
   double celsius_at(std::int32_t kerf, const Vec2& place_mm) const noexcept;
+  /// Of all kerfs, those whose dose lies between the two.
+  std::int64_t cells_with_dose(double low_min, double high_min) const noexcept;
 
  private:
-  static constexpr std::size_t group_count = 16;
   static constexpr std::int32_t patches_over = heat_cells / heat_patch_cells;
 
   /// Whether a cell's middle lies in the bone as it was, asked when heat first comes there.

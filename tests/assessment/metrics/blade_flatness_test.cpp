@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
+
+#include "simulator/base/units.h"
 
 namespace hallux::assessment {
 namespace {
@@ -33,6 +36,21 @@ TEST(BladeFlatness, AWaveIsAsUnflatAsItsPercentilesAreApart) {
   ASSERT_TRUE(flatness);
   // The fit tilts by less than 0.4 mm x 12 / 500^2 per tick: within 1e-2 mm over the stroke.
   EXPECT_NEAR(flatness->flatness_mm, 0.4, 1e-2);
+}
+
+TEST(BladeFlatness, OfASineIsKnownWithinItsBound) {
+  for (const std::size_t ticks_a_turn : {40U, 125U, 250U}) {
+    std::vector<double> heights_mm;
+    for (std::size_t tick = 0; tick < 20 * ticks_a_turn; ++tick)
+      heights_mm.push_back(
+          0.3 * std::cos(2.0 * pi * static_cast<double>(tick) / static_cast<double>(ticks_a_turn)));
+    const std::optional<Flatness> flatness = measure_flatness(stroke(heights_mm));
+    ASSERT_TRUE(flatness);
+    // A cosine lies above that of a fortieth of half a turn for a fortieth of the time.
+    const double exact_mm = 2.0 * 0.3 * std::cos(0.025 * pi);
+    EXPECT_NEAR(flatness->flatness_mm, exact_mm, flatness->bound_mm) << ticks_a_turn;
+    EXPECT_LT(flatness->bound_mm, 0.1);
+  }
 }
 
 TEST(BladeFlatness, NamesTheTickThatWasWorst) {
