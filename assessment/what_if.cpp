@@ -260,6 +260,15 @@ void rebuild_moved(MovedAttempt& moved, const Evidence& before) {
   }
 }
 
+/// Whether a kerf lies in another plane now: else the bone is as it was, to the bit.
+bool has_moved(const OpenedFields& fields, const OpenedFields& before) {
+  const auto is_same = [](const simulator::OpenedField& a, const simulator::OpenedField& b) {
+    return a.plane.bone_from_kerf.rotation == b.plane.bone_from_kerf.rotation &&
+           a.plane.bone_from_kerf.translation_mm == b.plane.bone_from_kerf.translation_mm;
+  };
+  return !std::ranges::equal(fields, before, is_same);
+}
+
 Evidence evidence_of(const MovedAttempt& moved, const Evidence& before) {
   return {before.scenario, before.plan, *moved.rebuilt, moved.faces, before.bone, moved.recording};
 }
@@ -277,17 +286,20 @@ std::vector<Measurement> WhatIf::measured_again(const std::vector<Change>& chang
     const CutFace* face = counting_face(before, cut.name);
     if (face != nullptr) move(face->kerf, move_of_cut(changes, known_, cut, *face));
   }
-  rebuild_moved(moved, before);
+  if (has_moved(moved.fields, fields_)) rebuild_moved(moved, before);
   for (const PlannedHinge& hinge : examination_.plan.hinges) {
     const auto stop = std::ranges::find(changes, named("stop", hinge.name), &Change::name);
     if (stop == changes.end()) continue;
     // Of the bridge that the kerfs leave where they were turned and shifted to.
-    for (const KerfBridge& bridge : bridges_left(hinge, evidence_of(moved, before))) {
-      move(bridge.kerf, shift_by(stop_shift(moved.rebuilt->fields.plane(bridge.kerf),
-                                            hinge.bridge.line.outward, stop->to - bridge.left_mm)));
+    const Evidence turned = moved.rebuilt ? evidence_of(moved, before) : before;
+    for (const KerfBridge& bridge : bridges_left(hinge, turned)) {
+      const simulator::KerfPlane& plane = turned.rebuilt.fields.plane(bridge.kerf);
+      move(bridge.kerf,
+           shift_by(stop_shift(plane, hinge.bridge.line.outward, stop->to - bridge.left_mm)));
     }
     rebuild_moved(moved, before);
   }
+  if (!moved.rebuilt) rebuild_moved(moved, before);
   return measure_geometry(evidence_of(moved, before));
 }
 

@@ -17,40 +17,49 @@ constexpr double dose_factor = 1.25;
 EffectSteps::EffectSteps(const simulator::Blade& blade, std::size_t zones)
     : blade_(blade), zones_(zones) {}
 
-double EffectSteps::way_mm(const simulator::ToolSample& sample) noexcept {
-  const RigidTransform world_from_tool = transform_from(sample.world_from_tool);
-  const double half_mm = 0.5 * blade_.width_mm, depth_mm = blade_.depth_mm;
-  const std::array<Vec3, 4> corners{Vec3{0.0, -half_mm, 0.0}, Vec3{0.0, half_mm, 0.0},
-                                    Vec3{-depth_mm, -half_mm, 0.0}, Vec3{-depth_mm, half_mm, 0.0}};
+double EffectSteps::way_mm(const simulator::ToolSample& sample) const noexcept {
+  if (last_tick_ < 0) return 0.0;
+  const RigidTransform before = transform_from(last_pose_);
+  const RigidTransform now = transform_from(sample.world_from_tool);
+  const double half_mm = 0.5 * blade_.width_mm;
   double longest_mm = 0.0;
-  for (std::size_t corner = 0; corner < corners.size(); ++corner) {
-    const Vec3 place_mm = transform_point(world_from_tool, corners[corner]);
-    longest_mm = std::max(longest_mm, length_of(place_mm - corners_mm_[corner]));
-    corners_mm_[corner] = place_mm;
+  for (const double x_mm : {0.0, -blade_.depth_mm}) {
+    for (const double y_mm : {-half_mm, half_mm}) {
+      const Vec3 corner_mm{x_mm, y_mm, 0.0};
+      longest_mm = std::max(longest_mm, length_of(transform_point(now, corner_mm) -
+                                                  transform_point(before, corner_mm)));
+    }
   }
-  return last_tick_ < 0 ? 0.0 : longest_mm;
+  return longest_mm;
 }
 
 void EffectSteps::note(const simulator::ToolSample& sample, const simulator::ToolEffects& effects) {
-  const double way_mm = this->way_mm(sample);
   const auto ticks =
       std::clamp<std::int64_t>(sample.tick - last_tick_, 1, simulator::ticks_per_line_max);
+  note_zones(sample, effects.danger().tracks(), second_from_tick(ticks));
+  const double hot_s = effects.heat().summary().hot_s;
+  const bool is_hot = hot_s > hot_s_;
+  if (is_hot != is_hot_)
+    hot_bound_s_ +=
+        second_from_tick(static_cast<std::int64_t>(simulator::HeatField::group_count) * ticks);
+  is_hot_ = is_hot;
+  hot_s_ = hot_s;
   last_tick_ = sample.tick;
-  const double span_s = second_from_tick(ticks);
+  last_pose_ = sample.world_from_tool;
+}
+
+void EffectSteps::note_zones(const simulator::ToolSample& sample,
+                             std::span<const simulator::DangerTrack> tracks, double span_s) {
   for (std::size_t index = 0; index < zones_.size(); ++index) {
-    const simulator::DangerTrack& track = effects.danger().tracks()[index];
+    const simulator::DangerTrack& track = tracks[index];
     Zone& zone = zones_[index];
     const bool is_in = track.contact_s > zone.contact_s;
     if (is_in != zone.is_in) zone.bound_s += span_s;
     zone.is_in = is_in;
     zone.contact_s = track.contact_s;
-    if (track.state != simulator::DangerState::Far) zone.way_mm = std::max(zone.way_mm, way_mm);
+    if (track.state != simulator::DangerState::Far)
+      zone.way_mm = std::max(zone.way_mm, way_mm(sample));
   }
-  const double hot_s = effects.heat().summary().hot_s;
-  const bool is_hot = hot_s > hot_s_;
-  if (is_hot != is_hot_) hot_bound_s_ += simulator::HeatField::group_count * span_s;
-  is_hot_ = is_hot;
-  hot_s_ = hot_s;
 }
 
 double EffectSteps::danger_bound_s(std::size_t zone,

@@ -2,8 +2,8 @@
 /// Inside this corner only.
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "simulator/step/tool_effects.h"
@@ -32,12 +32,14 @@ class EffectSteps {
     bool is_in = false;
   };
 
+  void note_zones(const simulator::ToolSample& sample,
+                  std::span<const simulator::DangerTrack> tracks, double span_s);
   /// The longest way of a corner of the blade since the sample before.
-  double way_mm(const simulator::ToolSample& sample) noexcept;
+  double way_mm(const simulator::ToolSample& sample) const noexcept;
 
   simulator::Blade blade_;
   std::vector<Zone> zones_;
-  std::array<Vec3, 4> corners_mm_{};
+  simulator::QuantisedPose last_pose_;
   double hot_s_ = 0.0, hot_bound_s_ = 0.0;
   std::int64_t last_tick_ = -1;
   bool is_hot_ = false;
