@@ -198,6 +198,26 @@ TEST(WhatIf, WhatIsProposedGainsAsItSays) {
   }
 }
 
+// Both blades went through the far cortex.
+TEST(WhatIf, AProposalNamesTheGatesThatItLifts) {
+  const Asked asked(AkinAttempt{.reach1_mm = 10.0, .reach2_mm = 10.0});
+  const auto is_triggered = [](const database::ScoreCard& card, const std::string& name) {
+    const auto gate = std::ranges::find(card.gates, name, &database::GateResult::name);
+    return gate != card.gates.end() && gate->is_triggered;
+  };
+  ASSERT_TRUE(is_triggered(asked.what_if.examination().card, "hinge_lost"));
+  const Proposals proposals = asked.what_if.propose();
+  const auto stop = std::ranges::find(proposals.changes, "stop:lateral",
+                                      [](const ProposedChange& each) { return each.change.name; });
+  ASSERT_NE(stop, proposals.changes.end());
+  EXPECT_NE(std::ranges::find(stop->lifted_gates, "hinge_lost"), stop->lifted_gates.end());
+  const database::ScoreCard then = asked.what_if.with({{stop->change.name, stop->to}}).card;
+  for (const std::string& gate : stop->lifted_gates) EXPECT_FALSE(is_triggered(then, gate)) << gate;
+  for (const ProposedChange& each : proposals.changes) {
+    EXPECT_TRUE(!each.change.is_replaced || each.lifted_gates.empty()) << each.change.name;
+  }
+}
+
 // All is on plan but for the water: no kerf and no push is worth moving.
 TEST(WhatIf, NothingIsProposedThatGainsNothing) {
   const Asked asked(AkinAttempt{});

@@ -148,6 +148,22 @@ class Attempt(RecordedTest):
         self.assertIn("not surgeon-reviewed", text)
         self.assertEqual(sorted(place.name for place in self.folder.iterdir()), ["data", "here", "home", "page.html", "xdg"])
 
+    def test_what_would_have_earned_more_is_told_by_the_report_and_by_its_verb(self):
+        proposed = self.ask("what-if", self.attempt)["changes"]
+        self.assertGreater(len(proposed), 0)
+        told = self.hallux("what-if", self.attempt).out
+        for change in proposed:
+            self.assertIn(f"--change {change['change']}=", told)
+        first, second = self.folder / "first.html", self.folder / "second.html"
+        for file in (first, second):
+            self.ask("report", self.attempt, "-o", file)
+        text = first.read_text(encoding="utf-8")
+        self.assertIn("What would have earned more", text)
+        self.assertEqual(text.count('class="gain"'), len(proposed) + (len(proposed) > 1))
+        of_both = [file.read_text(encoding="utf-8").split("What would have earned more")[1].split("</section>")[0]
+                   for file in (first, second)]
+        self.assertEqual(of_both[0], of_both[1])
+
     def test_a_report_that_cannot_be_written_leaves_nothing(self):
         self.expect_refusal(BAD_INPUT, ["page.html"], "report", self.attempt, "-o", self.folder / "nowhere" / "page.html")
         self.assertFalse((self.folder / "nowhere").exists())
