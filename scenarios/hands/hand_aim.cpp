@@ -99,6 +99,13 @@ Sight must_see(std::optional<Sight> seen, const Target& target, const std::strin
 
 /// A hand that sees its plane miss the bone aims again, so often at most.
 constexpr int aims_most = 100;
+/// Of the planned section: a plane that meets less of the bone grazes it, and a blade laid on it
+/// slides off.
+constexpr double grazing_share = 0.2;
+
+bool grazes(const Sight& seen, const Sight& planned) noexcept {
+  return seen.region.area_mm2 < grazing_share * planned.region.area_mm2;
+}
 
 /// Each aim draws from streams of its own; the first ones have no number.
 Target aimed_again(Target target, int times) {
@@ -319,7 +326,9 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
       aim_at_plan(target, planned, errors, aimed);
     }
     add_faults(target, planned, skill, aimed);
-    return look_along(aimed.face, target, known);
+    std::optional<Sight> seen = look_along(aimed.face, target, known);
+    if (seen && grazes(*seen, planned)) seen.reset();
+    return seen;
   };
   const auto aim_one = [&](std::size_t index) {
     const Target target = target_of(scenario, plan, index, known, seed);

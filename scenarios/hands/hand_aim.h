@@ -43,7 +43,7 @@ struct AimedCut {
 
 /// One for each cut of the plan. A face through a hinge is measured off from the first face that
 /// the hand aimed at.
-/// A plane that misses the bone is aimed anew, as by somebody who sees it.
+/// A plane that misses the bone, or grazes it, is aimed anew, as by somebody who sees it.
 /// errors  ScenarioError where the planned face misses the bone, or the approach is from no side
 ///         there is
 std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const KnownBone& known,
