@@ -1,5 +1,5 @@
-// Writes the pictures of docs/cutting.md and docs/haptics.md into a folder: the program behind the
-// target `screenshots`.
+// Writes the pictures of docs/cutting.md, docs/haptics.md and docs/metrics.md into a folder: the
+// program behind the target `screenshots`.
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -7,6 +7,7 @@
 
 #include "tests/screenshots/haptics/haptic_pictures.h"
 #include "tests/screenshots/kernel_pictures.h"
+#include "tests/screenshots/metrics/metric_pictures.h"
 
 namespace {
 
@@ -38,6 +39,7 @@ int main(int count, char** words) {
     const std::filesystem::path folder = words[1];
     write_all(folder, hallux::tests::kernel_pictures());
     write_all(folder / "haptics", hallux::tests::haptic_pictures());
+    write_all(folder / "metrics", hallux::tests::metric_pictures());
   } catch (const std::exception& error) {
     std::cerr << "hallux_screenshots: " << error.what() << '\n';
     return 1;
