@@ -99,7 +99,8 @@ std::string draw_piece() {
   page.polyline(way, "cut");
   for (const Vec2& place : way) page.dot(place, 3.0, "corner");
   page.measure({255.0, 137.0}, {255.0, 164.0});
-  page.text({40.0, 200.0}, "flatness_mm: 95 of 100 points of the tooth line");
+  page.text({40.0, 200.0}, "flatness_mm: 95 of 100");
+  page.text({40.0, 216.0}, "points of the tooth line");
   page.text({330.0, 45.0}, "a second kerf beside the face", "head");
   page.polygon(std::vector<Vec2>{{330.0, 120.0},
                                  {450.0, 120.0},

@@ -15,8 +15,8 @@ void draw_two_faces(SvgPage& page) {
   page.line({180.0, 70.0}, apex, "cut");
   page.line({290.0, 70.0}, apex, "cut");
   draw_arc(page, apex, Vec2(180.0, 70.0) - apex, Vec2(290.0, 70.0) - apex, 62.0);
-  page.label({310.0, 195.0}, {228.0, 165.0}, "the wedge: wedge_error_deg against the plan,");
-  page.text({310.0, 211.0}, "wedge_reversed where it opens to the other side");
+  page.label({310.0, 195.0}, {228.0, 165.0}, "wedge_error_deg: off the plan");
+  page.text({310.0, 211.0}, "wedge_reversed: open below");
   page.measure({185.8, 96.0}, {277.5, 96.0});
   page.label({330.0, 60.0}, {262.0, 96.0}, "base_mm");
   page.dot(apex, 4.0, "corner");
@@ -33,7 +33,8 @@ void draw_lines(SvgPage& page) {
   page.line({592.0, 70.0}, {632.0, 260.0}, "cut");
   draw_arc(page, {612.0, 165.0}, {-20.0, -95.0}, {0.0, -95.0}, 70.0);
   page.label({622.0, 75.0}, {606.0, 96.0}, "apex_angle_deg");
-  page.text({505.0, 285.0}, "wedge_sagittal_deg: one end wider");
+  page.text({505.0, 282.0}, "wedge_sagittal_deg:");
+  page.text({505.0, 298.0}, "one end is wider");
 }
 
 void draw_bridge(SvgPage& page) {
@@ -50,8 +51,8 @@ void draw_bridge(SvgPage& page) {
   page.line({785.0, 120.0}, {792.0, 210.0}, "cut");
   page.line({824.0, 70.0}, {824.0, 262.0}, "thin");
   page.measure({791.0, 190.0}, {824.0, 190.0});
-  page.text({842.0, 282.0}, "hinge_mm; 0: hinge_lost", "words", "end");
-  page.text({842.0, 298.0}, "beyond it: over_cut_mm", "words", "end");
+  page.text({712.0, 282.0}, "hinge_mm; 0: hinge_lost");
+  page.text({712.0, 298.0}, "beyond: over_cut_mm");
 }
 
 }  // namespace
@@ -77,7 +78,7 @@ std::string draw_closing() {
   page.dot({632.0, 214.0}, 4.0, "corner");
   page.measure({600.0, 105.0}, {611.0, 103.0});
   page.label({575.0, 80.0}, {605.0, 100.0}, "gap_mm");
-  page.text({560.0, 250.0}, "contact_share: of the face, what lies within 0.2 mm");
+  page.text({460.0, 255.0}, "contact_share: of the first face, what lies within 0.2 mm");
   page.line({632.0, 214.0}, {830.0, 214.0}, "plan");
   page.line({632.0, 214.0}, {822.0, 186.0}, "cut");
   draw_arc(page, {632.0, 214.0}, {198.0, 0.0}, {190.0, -28.0}, 175.0);

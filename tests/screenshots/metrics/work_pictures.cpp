@@ -60,7 +60,7 @@ void draw_speeds(SvgPage& page) {
   draw_bar(page, {64.0, 166.0}, 206.0, "open");
   draw_bar(page, {245.0, 415.0}, 206.0, "open");
   page.text({40.0, 245.0}, "free movements: 0.3 s and longer, no tooth at bone, no kerf");
-  page.text({40.0, 262.0}, "ldlj: how much their speed bends; path_ratio below");
+  page.text({40.0, 262.0}, "ldlj: how much their speed bends");
 }
 
 void draw_spectrum(SvgPage& page) {
@@ -135,8 +135,8 @@ std::string draw_harm() {
       page.polygon(cell, heat > 4 ? "strip" : (heat > 1 ? "hull" : "bonefill"));
     }
   }
-  page.text({640.0, 245.0}, "necrotic_mm3: dark, 16 minutes at 43 degrees");
-  page.text({640.0, 261.0}, "hot_s: while any is above 47");
+  page.text({640.0, 245.0}, "necrotic_mm3: the dark cells");
+  page.text({640.0, 261.0}, "hot_s: while any is above 47 C");
   return page.take();
 }
 
@@ -145,7 +145,7 @@ std::string draw_break_through() {
   const double through = 430.0;
   page.line({through, 40.0}, {through, 290.0}, "plan");
   page.text({through, 32.0}, "the last tooth leaves bone", "head", "middle");
-  page.text({40.0, 60.0}, "force on the hand", "head");
+  page.text({40.0, 32.0}, "force on the hand", "head");
   const std::vector<Vec2> force{{60.0, 160.0},  {110.0, 110.0}, {170.0, 118.0}, {200.0, 80.0},
                                 {240.0, 78.0},  {280.0, 112.0}, {350.0, 105.0}, {through, 108.0},
                                 {450.0, 150.0}, {560.0, 160.0}, {820.0, 160.0}};
@@ -169,7 +169,7 @@ std::string draw_break_through() {
                 "cut");
   page.line({through, 285.0}, {820.0, 285.0}, "thin");
   page.measure({650.0, 285.0}, {650.0, 222.0});
-  page.text({658.0, 272.0}, "plunge_mm: the furthest in 200 ms");
+  page.text({658.0, 272.0}, "plunge_mm: in 200 ms");
   page.line({through, 285.0}, {500.0, 250.0}, "axis");
   page.text({508.0, 268.0}, "breakthrough_mm_s");
   page.text({508.0, 300.0}, "over 50 ms", "small");
