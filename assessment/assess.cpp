@@ -61,7 +61,7 @@ void remark_sawn_after_done(std::vector<Measurement>& all, const Evidence& evide
 void measure_all(Examination& examination, const Evidence& evidence, const FollowedEffects& effects,
                  const Progress& progress) {
   std::vector<Measurement>& all = examination.measurements;
-  all = measure_geometry(evidence);
+  all = measure_geometry(evidence, effects.surface());
   remark_sawn_after_done(all, evidence);
   add(all, measure_deeds(evidence, progress));
   add(all, measure_closings(evidence));
@@ -114,8 +114,7 @@ Examination examine_measured(const scenarios::Scenario& scenario, const simulato
   return examination;
 }
 
-std::vector<Measurement> measure_geometry(const Evidence& evidence) {
-  const simulator::Bvh surface(evidence.bone.outer);
+std::vector<Measurement> measure_geometry(const Evidence& evidence, const simulator::Bvh& surface) {
   std::vector<Measurement> all;
   for (std::size_t cut = 0; cut < evidence.plan.cuts.size(); ++cut)
     add(all, measure_cut(cut, evidence));

@@ -15,6 +15,7 @@
 #include "scenarios/scenario.h"
 #include "simulator/base/progress.h"
 #include "simulator/mesh/bone.h"
+#include "simulator/mesh/bvh.h"
 #include "simulator/record/record.h"
 
 namespace hallux::assessment {
@@ -54,7 +55,8 @@ Examination examine_measured(const scenarios::Scenario& scenario, const simulato
 
 /// What the faces, hinges and pieces tell, and the margin to joints: what follows from where the
 /// kerfs lie.
-std::vector<Measurement> measure_geometry(const Evidence& evidence);
+/// surface  of the bone's outside
+std::vector<Measurement> measure_geometry(const Evidence& evidence, const simulator::Bvh& surface);
 
 /// The card that these measurements earn by the scenario's rubric: what a change of knots, weights
 /// or gates needs.

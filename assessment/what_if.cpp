@@ -142,7 +142,8 @@ WhatIf::WhatIf(const scenarios::Scenario& scenario, const simulator::Bone& bone,
       recording_(recording),
       device_class_(device_class),
       examination_(std::move(examination)),
-      fields_(kept_fields(examination_.rebuilt.fields)) {
+      fields_(kept_fields(examination_.rebuilt.fields)),
+      surface_(bone.outer) {
   for (std::size_t cut = 0; cut < examination_.plan.cuts.size(); ++cut) know_cut(cut);
   for (const PlannedHinge& hinge : examination_.plan.hinges) know_hinge(hinge);
   know_metrics();
@@ -300,7 +301,7 @@ std::vector<Measurement> WhatIf::measured_again(const std::vector<Change>& chang
     rebuild_moved(moved, before);
   }
   if (!moved.rebuilt) rebuild_moved(moved, before);
-  return measure_geometry(evidence_of(moved, before));
+  return measure_geometry(evidence_of(moved, before), surface_);
 }
 
 WhatIfOutcome WhatIf::with(const std::vector<Change>& changes) const {

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "assessment/assess.h"
+#include "simulator/mesh/bvh.h"
 
 namespace hallux::assessment {
 
@@ -89,6 +90,8 @@ class WhatIf {
   std::string device_class_;
   Examination examination_;
   OpenedFields fields_;
+  /// Of the bone's outside.
+  simulator::Bvh surface_;
   std::vector<KnownChange> known_;
 };
 

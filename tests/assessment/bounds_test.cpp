@@ -138,7 +138,7 @@ TEST(Bounds, HoldForTheClosedWedge) {
 
 /// What faces and pieces tell, and closing.
 std::vector<Measurement> measured_on(const Evidence& evidence) {
-  std::vector<Measurement> all = measure_geometry(evidence);
+  std::vector<Measurement> all = measure_geometry(evidence, simulator::Bvh(evidence.bone.outer));
   std::vector<Measurement> closings = measure_closings(evidence);
   std::move(closings.begin(), closings.end(), std::back_inserter(all));
   return all;
