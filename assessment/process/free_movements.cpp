@@ -46,8 +46,10 @@ Movements movements_of(std::span<const HandleStretch> stretches) {
           const std::int64_t first_tick = stretch.tick_at(first), last_tick = stretch.tick_at(last);
           const auto add = [&](Values& values, auto&& measure) {
             const double value = measure(speeds, rate_hz);
-            values.push_back(
-                {value, first_tick, last_tick, std::abs(value - measure(shorter, rate_hz))});
+            const double bound = std::abs(value - measure(shorter, rate_hz));
+            // A speed that never bends, as no hand's is, has no jerk to tell of.
+            if (std::isfinite(value) && std::isfinite(bound))
+              values.push_back({value, first_tick, last_tick, bound});
           };
           add(found.arcs, spectral_arc_length);
           add(found.jerks, log_dimensionless_jerk);

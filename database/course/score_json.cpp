@@ -92,13 +92,12 @@ struct FormFields {
   json of_card, of_line, of_gate;
 };
 
-const FormFields& fields_only_in(CardForm form) {
-  static const FormFields words{{{"sentences", json::array()}}, {{"text", ""}}, {{"text", ""}}};
-  static const FormFields facts{
-      {{"messages", json::array()}, {"form", name_of(CardForm::Words)}},
-      {{"facts", json::parse(json_of(LineFacts{}).dump())}},
-      {{"title", ""}, {"metric", ""}, {"is_measured", false}, {"is_at_least", false}}};
-  return form == CardForm::Words ? words : facts;
+FormFields fields_only_in(CardForm form) {
+  if (form == CardForm::Words)
+    return {{{"sentences", json::array()}}, {{"text", ""}}, {{"text", ""}}};
+  return {{{"messages", json::array()}, {"form", name_of(CardForm::Words)}},
+          {{"facts", json::parse(json_of(LineFacts{}).dump())}},
+          {{"title", ""}, {"metric", ""}, {"is_measured", false}, {"is_at_least", false}}};
 }
 
 /// Shows the card, each line and each gate with the fields that are theirs.
@@ -154,10 +153,34 @@ ScoreCard numbers_of(ScoreCard card) {
   return card;
 }
 
+/// Far more than any rubric has.
+constexpr std::int64_t milli_max = 1'000'000'000;
+
+bool is_amount(std::int64_t milli) noexcept { return milli >= 0 && milli <= milli_max; }
+
+/// Whoever brings a card may write anything into it: what shows it may trust these.
+void check_balance(const ScoreCard& card) {
+  std::int64_t lost_milli = 0;
+  bool is_whole = is_amount(card.measured_milli) && is_amount(card.earned_milli) &&
+                  is_amount(card.rubric_milli) && is_amount(card.score_milli) &&
+                  card.shown_losses_milli.size() == card.ledger.size();
+  for (const GroupScore& group : card.groups)
+    is_whole = is_whole && is_amount(group.weight_milli) && is_amount(group.measured_milli) &&
+               is_amount(group.earned_milli);
+  for (const LedgerLine& line : card.ledger) {
+    is_whole = is_whole && is_amount(line.weight_milli) && is_amount(line.points_lost_milli);
+    lost_milli += is_whole ? line.points_lost_milli : 0;
+  }
+  if (!is_whole || lost_milli > card.measured_milli)
+    refuse_json("a score card", "one whose points add up");
+}
+
 /// The text with the fields of the form that it has not.
 json with_both_forms(json card) {
   if (!has_parts(card)) return card;
   const CardForm form = card.contains("form") ? CardForm::Facts : CardForm::Words;
+  if (form == CardForm::Facts && card["form"] != name_of(CardForm::Facts))
+    refuse_json("form", "a form of a card");
   visit_parts(card, fields_only_in(other_than(form)), [](json& part, const json& absent) {
     for (const auto& [key, value] : absent.items()) part[key] = value;
   });
@@ -176,6 +199,7 @@ ScoreCard card_from_json(std::string_view text) {
   try {
     ScoreCard card;
     read_json(with_both_forms(parse_json("it", text, bounds)), "it", card);
+    check_balance(card);
     return card;
   } catch (const DatabaseError& error) {
     throw DatabaseError{DatabaseErrorKind::Damaged,

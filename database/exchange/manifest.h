@@ -20,8 +20,9 @@ namespace hallux::database {
 inline constexpr const char* manifest_name = "manifest.json";
 inline constexpr const char* bone_name = "bone.bin";
 inline constexpr const char* score_table_name = "score.csv";
-/// 2: with an act of the audit. A reader takes 1 as well.
-inline constexpr std::int32_t manifest_format = 2;
+/// 2: with an act of the audit; 3: score cards keep facts in place of words. A reader takes 1 and 2
+/// as well.
+inline constexpr std::int32_t manifest_format = 3;
 /// Scenario and score cards together: what a reader takes memory for.
 inline constexpr std::int64_t manifest_bytes_max = std::int64_t{32} << 20U;
 

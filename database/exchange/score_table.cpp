@@ -1,5 +1,6 @@
 #include "database/exchange/score_table.h"
 
+#include "database/course/detail_json.h"
 #include "database/exchange/manifest.h"
 #include "database/text/csv_text.h"
 
@@ -14,13 +15,15 @@ constexpr const char* number_columns =
 constexpr const char* word_columns = ",text";
 /// What words are made from.
 constexpr const char* fact_columns =
-    ",title,subject,target_low,target_high,absence,done_fraction,direction";
+    ",title,subject,target_kind,target_low,target_high,absence,done_fraction,direction,detail_json,"
+    "remark";
 
 std::string facts_of(const LineFacts& facts) {
   return "," + csv_cell(facts.title) + "," + csv_cell(facts.subject) + "," +
-         csv_number(facts.target_low) + "," + csv_number(facts.target_high) + "," +
-         csv_cell(name_of(facts.absence)) + "," + csv_number(facts.done_fraction) + "," +
-         csv_cell(facts.direction);
+         csv_cell(name_of(facts.target)) + "," + csv_number(facts.target_low) + "," +
+         csv_number(facts.target_high) + "," + csv_cell(name_of(facts.absence)) + "," +
+         csv_number(facts.done_fraction) + "," + csv_cell(facts.direction) + "," +
+         csv_cell(json_from_detail(facts.detail)) + "," + csv_cell(name_of(facts.remark));
 }
 
 std::string line_of(const LedgerLine& line, CardForm form) {

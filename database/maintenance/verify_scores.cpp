@@ -58,25 +58,36 @@ bool is_as_its_card(const ScoreRow& row) {
   }
 }
 
-using NumberedDigest = std::pair<std::int64_t, Digest>;
+struct StoredSet {
+  std::int64_t number = 0;
+  MeasurementKey key;
+  Digest digest;
+};
 
-std::vector<NumberedDigest> sets_after(Database& database, std::int64_t last) {
+std::vector<StoredSet> sets_after(Database& database, std::int64_t last) {
   auto rows = prepared(database,
-                       "SELECT measurement_set_id, digest FROM measurement_set WHERE "
-                       "measurement_set_id > ? ORDER BY measurement_set_id LIMIT ?",
+                       "SELECT m.measurement_set_id, a.uuid, m.seal, m.plan_digest, "
+                       "m.metrics_version, m.digest FROM measurement_set m JOIN attempt a "
+                       "USING (attempt_id) WHERE m.measurement_set_id > ? "
+                       "ORDER BY m.measurement_set_id LIMIT ?",
                        last, scores_at_once);
-  return rows_of(std::move(rows), &NumberedDigest::first, &NumberedDigest::second);
+  return collected(rows, [](SQLite::Statement& row) {
+    StoredSet set;
+    read_columns(row, 0, set.number, set.key.attempt, set.key.seal, set.key.by.plan,
+                 set.key.by.metrics_version, set.digest);
+    return set;
+  });
 }
 
 /// A row that is none, and lines that do not count up from 0, are no rows of a program.
-bool has_rows_of(Database& database, const NumberedDigest& set) {
+bool has_rows_of(Database& database, const StoredSet& set) {
   const auto is_counted = single<bool>(
       database,
       "SELECT coalesce(max(line) + 1, 0) = count(*) FROM measurement WHERE measurement_set_id = ?",
-      set.first);
+      set.number);
   try {
     return is_counted &&
-           measurements_digest(load_measurement_rows(database, set.first)) == set.second;
+           measurements_digest(set.key, load_measurement_rows(database, set.number)) == set.digest;
   } catch (const DatabaseError& error) {
     if (error.kind() != DatabaseErrorKind::Damaged) throw;
     return false;
@@ -91,10 +102,10 @@ void check_measurements(Database& database, VerifyProgress& progress) {
     const auto all = single<std::int64_t>(database, "SELECT count(*) FROM measurement_set");
     std::int64_t done = 0;
     for (auto some = sets_after(database, 0); !some.empty();
-         some = sets_after(database, some.back().first)) {
-      for (const NumberedDigest& set : some) {
+         some = sets_after(database, some.back().number)) {
+      for (const StoredSet& set : some) {
         if (!has_rows_of(database, set))
-          fail_altered(database, "a measurement of set " + std::to_string(set.first));
+          fail_altered(database, "a measurement of set " + std::to_string(set.number));
         progress.tell(++done, all);
       }
     }

@@ -327,7 +327,8 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
     }
     add_faults(target, planned, skill, aimed);
     std::optional<Sight> seen = look_along(aimed.face, target, known);
-    if (seen && grazes(*seen, planned)) seen.reset();
+    // Who lays it so on purpose does.
+    if (seen && skill.faults.empty() && grazes(*seen, planned)) seen.reset();
     return seen;
   };
   const auto aim_one = [&](std::size_t index) {

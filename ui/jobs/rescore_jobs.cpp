@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "database/content/assets.h"
@@ -163,10 +164,11 @@ class Rescored {
       RescoredAttempt& each = attempts_[i];
       if (each.is_changed) scores.push_back({each.header.id, *each.after});
     }
-    if (!scores.empty()) desk_->store_scores(scores);
+    if (!scores.empty()) store_all_or_each(scores);
     for (; first_unstored_ < attempts_.size(); ++first_unstored_) {
-      attempts_[first_unstored_].is_stored = attempts_[first_unstored_].is_changed;
-      stored_ += attempts_[first_unstored_].is_stored ? 1 : 0;
+      RescoredAttempt& each = attempts_[first_unstored_];
+      each.is_stored = each.is_changed && each.fault.empty();
+      stored_ += each.is_stored ? 1 : 0;
     }
   }
   [[noreturn]] void stop(std::size_t all) {
@@ -182,6 +184,25 @@ class Rescored {
   }
 
  private:
+  /// What may not be stored any more is told of that attempt alone.
+  void store_all_or_each(std::span<const database::NewScore> scores) {
+    try {
+      desk_->store_scores(scores);
+    } catch (const DatabaseError& error) {
+      if (error.kind() != DatabaseErrorKind::Refused && !is_of_one_attempt(error)) throw;
+      for (const database::NewScore& score : scores) store_one(score);
+    }
+  }
+  void store_one(const database::NewScore& score) {
+    try {
+      desk_->store_score(score.attempt, score.card);
+    } catch (const DatabaseError& error) {
+      if (error.kind() != DatabaseErrorKind::Refused && !is_of_one_attempt(error)) throw;
+      for (std::size_t i = first_unstored_; i < attempts_.size(); ++i)
+        if (attempts_[i].header.id == score.attempt) attempts_[i].fault = error.what();
+    }
+  }
+
   bool is_dry_;
   std::vector<RescoredAttempt> attempts_;
   std::size_t first_unstored_ = 0;
@@ -212,6 +233,9 @@ std::vector<RescoredAttempt> rescore(database::Database& database,
       attempts.add(rescored(rescorer, each, stage), *each.desk);
     } catch (const Cancelled&) {
       attempts.stop(listed.size());
+    } catch (...) {
+      attempts.store();
+      throw;
     }
   }
   if (progress) progress(1.0);

@@ -33,7 +33,7 @@ struct RescoredAttempt {
   /// As it was before.
   database::AttemptHeader header;
   std::optional<database::ScoreCard> before, after;
-  /// The cards differ, be it in a sentence.
+  /// The scores differ, not only in words.
   bool is_changed = false;
   bool is_stored = false;
   /// Why it was not scored: a recording that is erased or damaged, a text that does not fit the

@@ -53,6 +53,16 @@ TEST(FreeMovements, TwoTellNothingAndThreeTheirMedian) {
   EXPECT_EQ(smoothness.ldlj->first_tick, 1450);
 }
 
+TEST(FreeMovements, WhoseSpeedNeverBendsHaveNoJerkToTellOf) {
+  HandleStretch stretch;
+  for (int part = 0; part < 3; ++part) {
+    add(stretch, std::vector<double>(400, 20.0));
+    rest(stretch);
+  }
+  EXPECT_FALSE(smoothness_of(stretch).ldlj);
+  EXPECT_TRUE(std::isfinite(smoothness_of(stretch).sparc->value));
+}
+
 TEST(FreeMovements, LastThreeTenthsOfASecond) {
   HandleStretch stretch;
   for (const std::size_t ticks : {400U, 400U, 299U}) {

@@ -97,6 +97,21 @@ TEST(CardJson, SurvivesANumberThatIsNone) {
   EXPECT_EQ(card_from_json(json_from_card(card)).ledger.at(0).value, 0.0);
 }
 
+TEST(CardJson, RefusesPointsThatDoNotAddUpAndAnUnknownForm) {
+  const auto refuses = [](const std::string& from, const std::string& to, const ScoreCard& card) {
+    std::string json = json_from_card(card);
+    const std::size_t at = json.find(from);
+    ASSERT_NE(at, std::string::npos) << from;
+    json.replace(at, from.size(), to);
+    EXPECT_THROW(card_from_json(json), DatabaseError) << to;
+  };
+  refuses("\"measured_milli\":50000,", "\"measured_milli\":-9223372036854775808,", some_card());
+  refuses("\"measured_milli\":50000,", "\"measured_milli\":1,", some_card());
+  refuses("\"points_lost_milli\":6173", "\"points_lost_milli\":9000000000000", some_card());
+  refuses("\"shown_losses_milli\":[12346]", "\"shown_losses_milli\":[]", some_card());
+  refuses("\"form\":\"facts\"", "\"form\":\"words\"", card_of_facts());
+}
+
 TEST(CardJson, RefusesWhatIsNoCard) {
   for (const char* text : {"", "{", "[]", "{}", "{\"score_milli\": \"many\"}"}) {
     EXPECT_THROW(card_from_json(text), DatabaseError) << text;

@@ -194,7 +194,7 @@ TEST(HostileImport, TheTablesOfAnotherAttemptDoNotFit) {
 TEST(HostileImport, ANewerFormatIsSaid) {
   TwoDirectories two;
   const fs::path folder = two.exported(two.course().recorded_by("ada"));
-  alter_alone(folder / manifest_name, "\"format_version\": 2", "\"format_version\": 3");
+  alter_alone(folder / manifest_name, "\"format_version\": 3", "\"format_version\": 4");
   EXPECT_EQ(kind_thrown([&] { two.import(folder); }), DatabaseErrorKind::Newer);
 }
 

@@ -1,6 +1,8 @@
 /// Old databases, stored as the program of their time wrote them, are opened by the program of
 /// today.
 #include "database/store/migrations.h"
+#include "database/course/measurements.h"
+#include "database/course/scores.h"
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <gtest/gtest.h>
@@ -126,6 +128,26 @@ TEST(Migrations, OpenADatabaseOfSchemaSixInWhichNobodyChoseAHand) {
             number(database, "SELECT count(*) FROM standing_as_counted"));
   store_hand_settings(database, PersonId{2}, {true, 500, 250});
   EXPECT_EQ(load_hand_settings(database, PersonId{2}), (HandSettings{true, 500, 250}));
+  EXPECT_EQ(verify(database).first_damage.value_or("none"), "none");
+}
+
+TEST(Migrations, OpenADatabaseOfSchemaEightWhoseCardsHaveTheirWords) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_8.db"));
+  EXPECT_EQ(number(database, "PRAGMA user_version"), newest_schema());
+  const auto attempts = list_attempts(database);
+  ASSERT_EQ(attempts.size(), 1U);
+  const auto kept = load_score(database, attempts[0].id);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->card.form, CardForm::Words);
+  EXPECT_FALSE(kept->card.ledger.at(0).text.empty());
+  ScoreCard said_today = kept->card;
+  said_today.form = CardForm::Facts;
+  EXPECT_EQ(store_score(database, attempts[0].id, said_today), kept->id) << "the same score";
+  const MeasuredBy by{Digest{{1}}, 1};
+  EXPECT_FALSE(load_measurements(database, attempts[0].id, by));
+  store_measurements(database, attempts[0].id, by, some_measurements(), std::nullopt);
+  EXPECT_TRUE(load_measurements(database, attempts[0].id, by));
   EXPECT_EQ(verify(database).first_damage.value_or("none"), "none");
 }
 

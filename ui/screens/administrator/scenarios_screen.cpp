@@ -238,7 +238,7 @@ void ScenariosScreen::draw_actions(Ui& ui, Rect& rest, const ScenarioVersion& ve
   const bool is_published = version.state == ScenarioState::Published;
   ButtonSpec act{ui.text(is_published ? "scenarios.retire" : "scenarios.publish"),
                  is_published ? ButtonLook::Danger : ButtonLook::Secondary};
-  if (proving_.is_running()) act.why_off = ui.text("button.busy");
+  if (is_proving()) act.why_off = ui.text("button.busy");
   if (button_in_line(ui, is_published ? "scenarios.retire" : "scenarios.publish",
                      take_top(rest, button_height, 14.0F), act))
     asked_ = Asked{version, !is_published};
@@ -359,17 +359,41 @@ namespace {
 /// The last share of the work writes.
 constexpr double proved_share = 0.98;
 
-void prove_and_publish(SignedInSession& signed_in, database::ScenarioVersionId id,
-                       WorkReport& report) {
+/// How a publication ended; written by the work, read once it has.
+struct Publication {
+  bool is_published = false;
+  /// The scenario lists faults, by which its rubric was proven as well.
+  bool has_faults = false;
+};
+
+Publication prove_and_publish(SignedInSession& signed_in, database::ScenarioVersionId id,
+                              WorkReport& report) {
   const database::ScenarioText text =
       signed_in.in_turn([&](database::Session& session, database::Database&) {
         return administrator_of(session).scenario_text(id);
       });
-  prove_to_publish(scenarios::parse_scenario(text.json, text.name),
+  const scenarios::Scenario scenario = scenarios::parse_scenario(text.json, text.name);
+  prove_to_publish(scenario,
                    [&report](double done) { return report.reached(proved_share * done); });
   signed_in.in_turn([&](database::Session& session, database::Database&) {
+    // Another may have had the session's turn for long.
+    if (!report.reached(proved_share)) throw Cancelled("stopped before it was published");
     administrator_of(session).publish_scenario(id);
   });
+  return {true, !scenario.proof.empty()};
+}
+
+Message message_about(const Texts& texts, const std::string& name, WorkEnd end,
+                      const Publication& made, const std::string& reason) {
+  const TextValues version{{"version", name}};
+  if (made.is_published) {
+    return {Meaning::Good, texts.say("scenarios.was_published", version),
+            std::string(texts.text(made.has_faults ? "scenarios.was_proven"
+                                                   : "scenarios.was_proven_perfect"))};
+  }
+  const std::string title = texts.say("scenarios.not_published", version);
+  if (end == WorkEnd::Failed) return {Meaning::Bad, title, sentence_of(reason)};
+  return {Meaning::Info, title};
 }
 
 }  // namespace
@@ -377,21 +401,20 @@ void prove_and_publish(SignedInSession& signed_in, database::ScenarioVersionId i
 void ScenariosScreen::publish(Ui& ui, Shell& shell, const ScenarioVersion& version) {
   const Texts& texts = ui.texts();
   const std::string name = name_text(texts, version);
-  proving_.start(
-      shell, texts.say("scenarios.proving", {{"version", name}}),
-      [signed_in = signed_in_, id = version.id](WorkReport& report) {
-        prove_and_publish(*signed_in, id, report);
+  const auto made = std::make_shared<Publication>();
+  is_proving_ = std::make_shared<bool>(true);
+  // Whoever left the screen meanwhile is told all the same.
+  shell.background().start(
+      texts.say("scenarios.proving", {{"version", name}}),
+      [signed_in = signed_in_, id = version.id, made](WorkReport& report) {
+        *made = prove_and_publish(*signed_in, id, report);
       },
-      [this, &shell, &texts, name](WorkEnd end, const std::string& reason) {
-        if (end == WorkEnd::Failed) {
-          shell.say({Meaning::Bad, texts.say("scenarios.not_published", {{"version", name}}),
-                     sentence_of(reason)});
-        } else if (end == WorkEnd::Cancelled) {
-          shell.say({Meaning::Info, texts.say("scenarios.not_published", {{"version", name}})});
-        } else {
-          shell.say({Meaning::Good, texts.say("scenarios.was_published", {{"version", name}}),
-                     std::string(texts.text("scenarios.was_proven"))});
-        }
+      [this, &shell, &texts, name, made, still_here = std::weak_ptr<bool>(is_proving_)](
+          WorkEnd end, const std::string& reason) {
+        shell.say(message_about(texts, name, end, *made, reason));
+        const std::shared_ptr<bool> here = still_here.lock();
+        if (here == nullptr) return;
+        *here = false;
         versions_.read_again();
       });
 }

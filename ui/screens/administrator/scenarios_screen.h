@@ -30,6 +30,7 @@ class ScenariosScreen : public Screen {
   };
 
   void read_sheet(Ui& ui, Shell& shell);
+  bool is_proving() const noexcept { return is_proving_ != nullptr && *is_proving_; }
   const database::ScenarioVersion* chosen() const;
   /// The published version of the same operation, which publishing another would retire; null for
   /// none.
@@ -54,8 +55,9 @@ class ScenariosScreen : public Screen {
   PathDialog chooser_;
   std::optional<Asked> asked_;
   DeskWork work_, importing_;
-  /// Takes a minute: the session is free meanwhile.
-  ScreenWork proving_;
+  /// While one is proven and published, which takes a minute: the session is free meanwhile. Held
+  /// by the screen alone.
+  std::shared_ptr<bool> is_proving_;
 };
 
 }  // namespace hallux::ui

@@ -2,10 +2,19 @@
 
 #include <utility>
 
+#include "assessment/rebuild/opened_fields.h"
+#include "simulator/base/progress.h"
 #include "ui/jobs/cached_fields.h"
 #include "ui/screens/parts/desk_work.h"
 
 namespace hallux::ui {
+
+namespace {
+
+/// Of the time, as measured.
+constexpr double stamped_share = 0.8;
+
+}  // namespace
 
 AttemptSource attempt_source(SignedInSession& signed_in, const database::AttemptId& id) {
   return signed_in.in_turn([&](database::Session& session, database::Database& database) {
@@ -21,6 +30,20 @@ AttemptSource attempt_source(SignedInSession& signed_in, const database::Attempt
 assessment::Examination examination_of(const AttemptSource& source, const StageProgress& progress) {
   if (!source.measurements) return score_attempt(source.attempt, progress);
   return examine_kept(source.attempt, source.directory, *source.measurements, progress);
+}
+
+assessment::Examination stamped_examination_of(const AttemptSource& source,
+                                               const StageProgress& progress) {
+  const AttemptMaterial& material = source.attempt;
+  if (!source.measurements) return score_attempt(material, progress);
+  const Progress reached = progress("Examining");
+  assessment::Measured measured{
+      *source.measurements,
+      assessment::opened_fields(material.scenario.saw.blade, material.bone.world_from_bone,
+                                material.recording, part_of(reached, 0.0, stamped_share))};
+  return assessment::examine_measured(material.scenario, material.bone, material.recording,
+                                      material.header.begun.device_class, std::move(measured),
+                                      part_of(reached, stamped_share, 1.0));
 }
 
 }  // namespace hallux::ui

@@ -27,4 +27,11 @@ AttemptSource attempt_source(SignedInSession& signed_in, const database::Attempt
 /// thread  work's
 assessment::Examination examination_of(const AttemptSource& source, const StageProgress& progress);
 
+/// The same with the kerfs stamped from the recording: what is measured on it is of nothing that
+/// only lay beside.
+/// errors  Cancelled
+/// thread  work's
+assessment::Examination stamped_examination_of(const AttemptSource& source,
+                                               const StageProgress& progress);
+
 }  // namespace hallux::ui

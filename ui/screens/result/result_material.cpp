@@ -68,13 +68,12 @@ bool store_where_missing(SignedInSession& signed_in, const AttemptSource& loaded
   return signed_in.in_turn([&](database::Session& session, auto&) {
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::StoreScore, header.id);
     if (!desk || !desk->may(Action::StoreScore, header)) return false;
-    if (is_to_be_scored(header)) {
-      store_examination(*desk, loaded.attempt, examination);
-      return true;
-    }
-    desk->store_measurements(header.id, measured_by(loaded.attempt.scenario, header.begun.bone),
-                             examination.measurements);
-    return false;
+    const bool is_scored_now = is_to_be_scored(header);
+    if (is_scored_now) desk->store_score(header.id, examination.card);
+    if (!loaded.measurements)
+      desk->store_measurements(header.id, measured_by(loaded.attempt.scenario, header.begun.bone),
+                               examination.measurements);
+    return is_scored_now;
   });
 }
 
@@ -236,25 +235,12 @@ std::shared_ptr<const ExaminedAttempt> examine_attempt(SignedInSession& signed_i
   return examined;
 }
 
-bool is_same_score(const database::ScoreCard& a, const database::ScoreCard& b) noexcept {
-  return a.score_milli == b.score_milli && a.measured_milli == b.measured_milli &&
-         std::equal(a.ledger.begin(), a.ledger.end(), b.ledger.begin(), b.ledger.end(),
-                    [](const database::LedgerLine& x, const database::LedgerLine& y) {
-                      return x.item == y.item && x.value == y.value &&
-                             x.points_lost_milli == y.points_lost_milli;
-                    });
-}
-
-bool adopt_texts(database::ScoreCard& stored, const database::ScoreCard& fresh) {
-  const bool has_same_texts =
-      stored.sentences == fresh.sentences &&
-      std::equal(stored.ledger.begin(), stored.ledger.end(), fresh.ledger.begin(),
-                 fresh.ledger.end(), [](const auto& a, const auto& b) { return a.text == b.text; });
-  if (has_same_texts || !is_same_score(stored, fresh)) return false;
+void adopt_words(database::ScoreCard& stored, const database::ScoreCard& fresh) {
   stored.sentences = fresh.sentences;
   for (std::size_t line = 0; line < stored.ledger.size(); ++line)
     stored.ledger[line].text = fresh.ledger[line].text;
-  return true;
+  for (std::size_t gate = 0; gate < stored.gates.size(); ++gate)
+    stored.gates[gate].text = fresh.gates[gate].text;
 }
 
 }  // namespace hallux::ui

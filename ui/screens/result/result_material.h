@@ -103,11 +103,8 @@ std::shared_ptr<const ExaminedAttempt> examine_attempt(SignedInSession& signed_i
                                                        const database::AttemptId& id,
                                                        WorkReport& report);
 
-/// Whether two cards of one attempt say the same score, item by item.
-bool is_same_score(const database::ScoreCard& a, const database::ScoreCard& b) noexcept;
-
-/// Where both say the same score, `stored` says it in the words of `fresh`: an older program may
-/// have worded it otherwise. Returns whether any word changed; numbers never do.
-bool adopt_texts(database::ScoreCard& stored, const database::ScoreCard& fresh);
+/// A stored score in the words of `fresh`: an older program may have worded it otherwise.
+/// needs   they are the same score
+void adopt_words(database::ScoreCard& stored, const database::ScoreCard& fresh);
 
 }  // namespace hallux::ui

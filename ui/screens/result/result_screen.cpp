@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "database/course/score_json.h"
 #include "simulator/base/units.h"
 #include "ui/report/effects_text.h"
 #include "ui/report/measured_text.h"
@@ -64,13 +65,23 @@ void ResultScreen::read(Ui& ui, Shell& shell) {
                   });
 }
 
+void ResultScreen::compare() {
+  if (!facts_.has_value() || !facts_.value().score || !examined_.has_value()) return;
+  database::StoredScore& stored = *facts_.value().score;
+  const ExaminedAttempt* const examined = examined_.value().get();
+  if (compared_.score != stored.id.number || compared_.examined != examined)
+    compared_ = {stored.id.number, examined, database::is_same_score(stored.card, examined->card)};
+  // A card that was read again has its own words again.
+  if (compared_.is_same && stored.card.sentences != examined->card.sentences)
+    adopt_words(stored.card, examined->card);
+}
+
 void ResultScreen::draw(Ui& ui, const Rect& content, Shell& shell) {
+  compare();
   read(ui, shell);
   // What the store lacked was computed and kept: it is read as all else that is stored.
   const bool is_waiting = facts_.is_ready() && !facts().score;
   if (is_waiting && examined_.is_ready() && examined_.value()->was_stored) facts_.read_again();
-  if (facts_.has_value() && facts_.value().score && examined_.has_value())
-    adopt_texts(facts_.value().score->card, examined_.value()->card);
   if (!facts_.draw_until_ready(ui, "result.failed", inset(content, space::page), 10)) return;
   Rect view = content;
   const bool has_fixed_head = content.h >= fixed_head_from;
@@ -221,7 +232,7 @@ std::vector<std::pair<Meaning, std::string>> ResultScreen::notices(const Texts& 
   if (!facts().score) {
     found.emplace_back(Meaning::Warn, texts.say("result.notice.not_stored",
                                                 {{"points", points_text(now.score_milli)}}));
-  } else if (!is_same_score(facts().score->card, now)) {
+  } else if (!compared_.is_same) {
     found.emplace_back(Meaning::Warn,
                        texts.say("result.notice.differs",
                                  {{"now", points_text(now.score_milli)},
@@ -422,7 +433,7 @@ bool ResultScreen::are_effects_scored() const noexcept {
 bool ResultScreen::shows_what_if() const {
   if (!facts().score) return false;
   if (!examined_.has_value()) return examined_.is_running();
-  return is_same_score(facts().score->card, examined_.value()->card);
+  return compared_.is_same;
 }
 
 void ResultScreen::draw_forms(Ui& ui, Shell& shell) {

@@ -54,6 +54,7 @@ class ResultScreen : public Screen {
   /// A gain is the difference to the stored score, so that must be what this program computes; as
   /// long as that is not known it is taken to be.
   bool shows_what_if() const;
+  void compare();
   void draw_forms(Ui& ui, Shell& shell);
   std::vector<std::pair<Meaning, std::string>> notices(const Texts& texts) const;
 
@@ -71,6 +72,12 @@ class ResultScreen : public Screen {
   database::AttemptId attempt_;
   Loaded<ResultFacts> facts_;
   Loaded<std::shared_ptr<const ExaminedAttempt>> examined_;
+  /// The stored score beside what was examined: as long as both are these.
+  struct Compared {
+    std::int64_t score = 0;
+    const ExaminedAttempt* examined = nullptr;
+    bool is_same = false;
+  } compared_;
   PlanCard plan_;
   WhatIfCard what_if_;
   DecideForm decide_;

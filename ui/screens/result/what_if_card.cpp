@@ -34,7 +34,7 @@ SaidWhatIf worked_out(SignedInSession& signed_in, const database::AttemptId& att
   };
   const assessment::WhatIf what_if(material.scenario, material.bone, material.recording,
                                    material.header.begun.device_class,
-                                   examination_of(source, examining));
+                                   stamped_examination_of(source, examining));
   return said_what_if(what_if.propose(part_of(reached, examined_share, 1.0)), material.scenario,
                       what_if.examination().plan, what_if.examination().card);
 }

@@ -196,7 +196,7 @@ TEST(ScenariosScreen, AFileIsCheckedImportedReadPublishedAndRetired) {
   desk.press("scenarios.publish");
   desk.press("scenarios.question.act");
   EXPECT_EQ(version_of(course, "eminence").state, database::ScenarioState::Published);
-  EXPECT_TRUE(desk.driver().sees("Its rubric was proven"));
+  EXPECT_TRUE(desk.driver().sees("lists no faults to prove its rubric by"));
   desk.press("scenarios.retire");
   desk.press("scenarios.question.act");
   EXPECT_EQ(version_of(course, "eminence").state, database::ScenarioState::Retired);
