@@ -1,5 +1,5 @@
 /// JSON text of a measurement's detail, as it is stored with its row and with a score card.
-/// Inside this corner only.
+/// Inside this room only.
 #pragma once
 
 #include <string>
