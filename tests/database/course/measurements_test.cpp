@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "database/course/begin_attempt.h"
 #include "database/maintenance/verify.h"
 #include "database/store/sql.h"
 #include "tests/database/some_database.h"
