@@ -42,8 +42,12 @@ std::string word_of(const Detail& detail, std::size_t index) {
 }
 
 std::string edges_text(const Detail& detail) {
+  // Half of what two decimals show.
+  constexpr double as_planned_mm = 0.005;
   const auto said = [&](std::size_t edge) {
-    return value_text(value_of(detail, edge), "mm") + " too far " + word_of(detail, edge);
+    const double off_mm = value_of(detail, edge);
+    if (off_mm < as_planned_mm) return std::string("as planned");
+    return value_text(off_mm, "mm") + " too far " + word_of(detail, edge);
   };
   return "there " + said(0) + ", opposite " + said(1);
 }

@@ -94,6 +94,7 @@ std::string draw_piece() {
   page.text({40.0, 45.0}, "the blade in its kerf", "head");
   const double heights[] = {0.0, 9.0, 14.0, 6.0, -8.0, -15.0, -6.0, 4.0, 10.0, 2.0};
   std::vector<Vec2> way;
+  way.reserve(std::size(heights));
   for (int tick = 0; tick < 10; ++tick) way.emplace_back(50.0 + 20.0 * tick, 150.0 - heights[tick]);
   page.line({40.0, 150.0}, {240.0, 150.0}, "plan");
   page.polyline(way, "cut");

@@ -11,7 +11,6 @@ namespace {
 
 using assessment::KnownChange;
 using assessment::Proposals;
-using assessment::ProposedChange;
 using assessment::testing::AkinAttempt;
 using assessment::testing::ExaminedAttempt;
 
