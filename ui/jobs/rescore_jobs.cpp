@@ -1,6 +1,7 @@
 #include "ui/jobs/rescore_jobs.h"
 
 #include <algorithm>
+#include <deque>
 #include <map>
 #include <set>
 #include <span>
@@ -104,25 +105,36 @@ class Rescorer {
   /// Of another version one text, of their own the attempts of one version one.
   const scenarios::Scenario& text_of(const database::AttemptHeader& header) {
     const database::ScenarioVersionId version = header.begun.scenario;
-    const auto known = texts_.find(version);
+    const auto known = texts_.find(version.number);
     if (known != texts_.end()) return known->second;
     const database::ScenarioText text = database::get_scenario_version(database_, version);
-    return texts_.emplace(version, scenarios::parse_scenario(text.json, text.name)).first->second;
+    return texts_.emplace(version.number, scenarios::parse_scenario(text.json, text.name))
+        .first->second;
   }
   /// Attempts of one text on one bone have the same.
   const database::MeasuredBy& by(const scenarios::Scenario& scenario,
                                  const database::AttemptHeader& header) {
-    const std::pair key{&scenario, header.begun.bone};
-    const auto known = measured_by_.find(key);
-    if (known != measured_by_.end()) return known->second;
-    return measured_by_.emplace(key, measured_by(scenario, header.begun.bone)).first->second;
+    const auto known = std::ranges::find_if(plans_, [&](const KnownPlan& plan) {
+      return plan.scenario == &scenario && plan.bone == header.begun.bone;
+    });
+    if (known != plans_.end()) return known->by;
+    return plans_
+        .emplace_back(
+            KnownPlan{&scenario, header.begun.bone, measured_by(scenario, header.begun.bone)})
+        .by;
   }
 
   database::Database& database_;
   std::optional<scenarios::Scenario> scenario_;
   bool is_dry_;
-  std::map<database::ScenarioVersionId, scenarios::Scenario> texts_;
-  std::map<std::pair<const scenarios::Scenario*, Digest>, database::MeasuredBy> measured_by_;
+  struct KnownPlan {
+    const scenarios::Scenario* scenario = nullptr;
+    Digest bone;
+    database::MeasuredBy by;
+  };
+  /// By the version's number.
+  std::map<std::int64_t, scenarios::Scenario> texts_;
+  std::deque<KnownPlan> plans_;
 };
 
 RescoredAttempt rescored(Rescorer& rescorer, const Listed& listed, const StageProgress& progress) {

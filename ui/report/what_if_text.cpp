@@ -16,7 +16,6 @@ namespace hallux::ui {
 
 namespace {
 
-using assessment::KnownChange;
 using assessment::Proposals;
 using assessment::ProposedChange;
 using database::ScoreCard;

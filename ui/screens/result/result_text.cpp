@@ -71,7 +71,7 @@ std::string target_text(const LedgerLine& line, const Scenario* scenario) {
     return assessment::with_unit(number(item->full_low) + dash + number(item->full_high),
                                  line.unit);
   const bool is_least = item != nullptr ? item->full > item->zero : is_at_least(line, scenario);
-  const std::string target = assessment::with_unit(number(line.target), line.unit);
+  std::string target = assessment::with_unit(number(line.target), line.unit);
   if (!is_least && line.target == 0.0) return target;
   return (is_least ? at_least : at_most) + target;
 }

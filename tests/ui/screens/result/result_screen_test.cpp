@@ -9,6 +9,7 @@
 #include "assessment/assess.h"
 #include "assessment/number_text.h"
 #include "tests/ui/screens/result/some_reader.h"
+#include "ui/jobs/attempt_jobs.h"
 #include "ui/report/effects_text.h"
 #include "ui/screens/result/effects_card.h"
 #include "ui/screens/result/recording_card.h"
