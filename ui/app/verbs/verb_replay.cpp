@@ -53,8 +53,7 @@ ExitCode replay_on(const VerbContext& context, const std::string& id) {
   database::Database database = open_to_read(context);
   const AttemptAction wanted{database::Action::ViewAttempt, {id}};
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
-    const AttemptMaterial material =
-        load_attempt(database, desk, {id});
+    const AttemptMaterial material = load_attempt(database, desk, {id});
     const auto before = std::chrono::steady_clock::now();
     const std::optional<ReplayResult> result = replay_attempt(material, stages_on(context));
     const double seconds =

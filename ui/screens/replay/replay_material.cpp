@@ -88,9 +88,9 @@ LoadedAttempt load_for(SignedInSession& signed_in, const database::AttemptId& id
   return signed_in.in_turn([&](database::Session& session, database::Database& database) {
     const database::AttemptHeader header = header_for(session, id);
     std::optional<database::AttemptDesk> desk = session.desk_for(Action::ViewAttempt, header.id);
-    return LoadedAttempt{load_attempt(database, *desk, header.id),
-                         told_score(*desk, header.id), desk->display_facts(header.id),
-                         rights_to(session, header), database.directory()};
+    return LoadedAttempt{load_attempt(database, *desk, header.id), told_score(*desk, header.id),
+                         desk->display_facts(header.id), rights_to(session, header),
+                         database.directory()};
   });
 }
 
