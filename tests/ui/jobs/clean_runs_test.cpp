@@ -18,7 +18,7 @@ const StageProgress untold = [](const std::string&) { return Progress(); };
 /// The shipped Silver on a patient that is built and sawn in a moment.
 scenarios::Scenario coarse_silver() {
   auto text = nlohmann::ordered_json::parse(scenarios::load_shipped_scenario("silver").text);
-  text["patient"]["edge_mm"] = 1;
+  text["patient"]["edge_mm"] = 1.5;
   return scenarios::parse_scenario(text.dump(), "coarse silver");
 }
 
@@ -37,18 +37,15 @@ class CleanRuns {
     attempt.scenario = scenario_;
     attempt.hand = "perfect";
     attempt.seed = seed;
-    const AttemptMaterial made = make_attempt(attempt, untold).material;
+    const MadeAttempt made = make_attempt(attempt, untold);
     database::NewAttempt begun = course_.attempt_of("ada");
     begun.scenario = published_;
     begun.kind = database::AttemptKind::Assessment;
-    begun.engine = made.recording.engine;
-    put_bone(course_.database(), made.bone, begun);
-    const database::AttemptId id = record(course_.database(), begun, made.recording);
-    database::TraineeDesk desk = course_.trainee("ada");
-    const AttemptMaterial kept = load_attempt(course_.database(), desk, id);
-    const assessment::Examination examination = score_attempt(kept, untold);
-    store_examination(desk, kept, examination);
-    return examination.card;
+    begun.engine = made.material.recording.engine;
+    put_bone(course_.database(), made.material.bone, begun);
+    const database::AttemptId id = record(course_.database(), begun, made.material.recording);
+    course_.trainee("ada").store_score(id, made.card);
+    return made.card;
   }
   assessment::LearningState learning() {
     database::Session session = course_.sign_in_as("ada");
