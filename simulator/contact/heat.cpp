@@ -84,8 +84,10 @@ HeatField::HeatField(const Saw& saw, const RigidTransform& world_from_bone)
   hottest_celsius_.fill(body_celsius);
 }
 
-HeatField::Cell& HeatField::cell(std::int32_t kerf, std::int32_t number) noexcept {
-  return cells_[cell_of(kerf, number)];
+HeatField::Cell& HeatField::visited(std::int32_t kerf, std::int32_t number) noexcept {
+  Cell& cell = cells_[cell_of(kerf, number)];
+  if (!(cell.celsius > 0.0)) cell.celsius = body_celsius;
+  return cell;
 }
 
 std::int32_t HeatField::cell_at(const Vec2& place_mm) const noexcept {
@@ -97,7 +99,8 @@ std::int32_t HeatField::cell_at(const Vec2& place_mm) const noexcept {
 double HeatField::celsius_at(std::int32_t kerf, const Vec2& place_mm) const noexcept {
   const std::int32_t number = cell_at(place_mm);
   if (number < 0) return body_celsius;
-  return cells_[cell_of(kerf, number)].celsius;
+  const double celsius = cells_[cell_of(kerf, number)].celsius;
+  return celsius > 0.0 ? celsius : body_celsius;
 }
 
 std::int64_t HeatField::cells_with_dose(double low_min, double high_min) const noexcept {
@@ -188,7 +191,7 @@ void HeatField::add_heat(std::int32_t kerf, const RemainingTissue& bone, const V
 bool HeatField::is_bone_cell(std::int32_t kerf, std::int32_t number,
                              const RemainingTissue& bone) noexcept {
   if (number < 0) return false;
-  Place& place = cell(kerf, number).place;
+  Place& place = visited(kerf, number).place;
   if (place == Place::Unknown) {
     const Vec3 middle_mm =
         transform_point(bone.kerfs.plane(kerf).bone_from_kerf, Vec3{middle_of(number), 0.0});
@@ -199,7 +202,7 @@ bool HeatField::is_bone_cell(std::int32_t kerf, std::int32_t number,
 
 void HeatField::add_to_cell(std::int32_t kerf, std::int32_t number, double joule) noexcept {
   if (number < 0 || !(joule > 0.0)) return;
-  cell(kerf, number).heat_joule += joule;
+  visited(kerf, number).heat_joule += joule;
   const std::int32_t u = number / heat_cells, v = number % heat_cells;
   Warmed& warmed = warmed_[static_cast<std::size_t>(kerf)];
   warmed.u_first = std::min(warmed.u_first, u);
@@ -225,7 +228,7 @@ void HeatField::cool(std::int32_t rinsed_kerf) noexcept {
       for (std::int32_t v = warmed.v_first; v <= warmed.v_last; ++v) {
         const std::int32_t number = u * heat_cells + v;
         update_cell(kerf, number, kerf == rinsed_kerf ? rinsed : dry, span_s);
-        hottest_celsius_[group] = std::max(hottest_celsius_[group], cell(kerf, number).celsius);
+        hottest_celsius_[group] = std::max(hottest_celsius_[group], visited(kerf, number).celsius);
       }
     }
   }
@@ -233,7 +236,7 @@ void HeatField::cool(std::int32_t rinsed_kerf) noexcept {
 
 void HeatField::update_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
                             double span_s) noexcept {
-  Cell& cell = this->cell(kerf, number);
+  Cell& cell = visited(kerf, number);
   const double before_celsius = cell.celsius, before_min = cell.dose_min;
   const double heating_celsius_per_s = cell.heat_joule / (cell_capacity_joule_per_kelvin * span_s);
   cell.heat_joule = 0.0;

@@ -83,8 +83,9 @@ class HeatField {
 
   /// Whether a cell's middle lies in the bone as it was, asked when heat first comes there.
   enum class Place : std::uint8_t { Unknown, Bone, Air };
+  /// All its bits are zero before it is visited: see visited().
   struct Cell {
-    double celsius = body_celsius;
+    double celsius = 0.0;
     double dose_min = 0.0;
     /// Since the cell was followed last.
     double heat_joule = 0.0;
@@ -120,14 +121,15 @@ class HeatField {
                    double span_s) noexcept;
   void mark(HeatMarkKind kind, std::int32_t kerf, std::int32_t number) noexcept;
   std::int32_t cell_at(const Vec2& place_mm) const noexcept;
-  Cell& cell(std::int32_t kerf, std::int32_t number) noexcept;
+  /// Of body temperature the first time.
+  Cell& visited(std::int32_t kerf, std::int32_t number) noexcept;
 
   Blade blade_;
   RigidTransform bone_from_world_;
   double tooth_speed_mm_s_;
   double friction_;
   /// Kerf by kerf, v running fastest.
-  FixedArray<Cell> cells_;
+  ZeroedArray<Cell> cells_;
   /// Kind by kind, kerf by kerf.
   FixedArray<Patch> patches_;
   std::array<Warmed, static_cast<std::size_t>(kerf_limit)> warmed_{};

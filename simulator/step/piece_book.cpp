@@ -19,6 +19,13 @@ const FoundPiece* PieceBook::announce_next() noexcept {
   return nullptr;
 }
 
+std::int32_t PieceBook::announce_next_section() noexcept {
+  const auto next = std::find(sections_.begin(), sections_.end(), Section::Covered);
+  if (next == sections_.end()) return -1;
+  *next = Section::Announced;
+  return static_cast<std::int32_t>(next - sections_.begin());
+}
+
 const FoundPiece* PieceBook::take_out(std::int32_t piece) noexcept {
   if (piece == piece_freed_last) piece = freed_last_;
   if (piece <= 0 || removed_count_ == removed_piece_limit) return nullptr;

@@ -34,12 +34,17 @@ class PieceBook {
   const FoundPiece* take_out(std::int32_t piece) noexcept;
   std::span<const Bvh* const> removed() const noexcept { return {removed_.data(), removed_count_}; }
 
-  /// The kerf took its whole section; true the first time.
-  bool cover_section(std::int32_t kerf) noexcept {
-    return !std::exchange(is_covered_[static_cast<std::size_t>(kerf)], true);
+  /// The kerf took its whole section; announced the first time.
+  void cover_section(std::int32_t kerf) noexcept {
+    Section& section = sections_[static_cast<std::size_t>(kerf)];
+    if (section == Section::Open) section = Section::Covered;
   }
+  /// The next kerf that took its section, or -1 where none is left to announce.
+  std::int32_t announce_next_section() noexcept;
 
  private:
+  enum class Section : std::uint8_t { Open, Covered, Announced };
+
   std::span<FoundPiece> pieces_;
   std::size_t announced_ = 0;
   /// The piece announced last; 0: none was.
@@ -47,7 +52,7 @@ class PieceBook {
   std::int32_t wanted_ = 0;
   std::array<const Bvh*, removed_piece_limit> removed_{};
   std::size_t removed_count_ = 0;
-  std::array<bool, static_cast<std::size_t>(kerf_limit)> is_covered_{};
+  std::array<Section, static_cast<std::size_t>(kerf_limit)> sections_{};
 };
 
 }  // namespace hallux::simulator

@@ -13,23 +13,21 @@ namespace hallux::simulator {
 
 namespace {
 
-/// Pieces announced in one step; more wait for the next.
-constexpr std::size_t pieces_per_step = 2;
+/// Pieces, and sections that were taken, announced in one step; more wait for the next.
+constexpr std::size_t pieces_per_step = 2, sections_per_step = 2;
 /// Of the kerfs' memory: the shipped operations open 230 to 800 tiles. Whoever opens more has it
 /// touched ahead of the blade, a little in each step.
 constexpr std::size_t tiles_ready_at_start = 2048, tiles_kept_ready = 512;
 constexpr std::size_t tiles_touched_per_step = 2;
 
 /// Events of one line; heat and danger zones take the room that is left. Each command has one
-/// event, but for that which brings the pieces (each kerf covered) and that which ends the attempt
-/// (a scratch as well).
-constexpr std::size_t events_of_commands =
-    (commands_per_tick - 1) + static_cast<std::size_t>(kerf_limit) + 1;
+/// event, but for that which ends the attempt (a scratch as well).
+constexpr std::size_t events_of_commands = commands_per_tick + 1;
 /// A contact or a saw started in bone with its kick, or such a kick with the plane frozen.
 constexpr std::size_t events_of_motion = 2;
 constexpr std::size_t events_of_fault = 1, events_of_piece_taken = 1;
-static_assert(events_of_commands + events_of_fault + pieces_per_step + events_of_piece_taken +
-                  events_of_motion <=
+static_assert(events_of_commands + events_of_fault + sections_per_step + pieces_per_step +
+                  events_of_piece_taken + events_of_motion <=
               events_per_step);
 
 void mark(ToolSample& sample, ToolStatus status, bool is_so) noexcept {
@@ -195,9 +193,7 @@ void Simulation::apply_pieces(JobResult& result, StepOutput& output) noexcept {
   if (const JobResult* const known = std::exchange(pieces_result_, &result)) {
     output.given_back.push(known);
   }
-  for (const std::int32_t kerf : result.completed) {
-    if (pieces_.cover_section(kerf)) note(output, CutEventKind::SectionCovered, kerf);
-  }
+  for (const std::int32_t kerf : result.completed) pieces_.cover_section(kerf);
 }
 
 void Simulation::apply_hinge(const ClosedHinge& hinge, StepOutput& output) noexcept {
@@ -219,6 +215,11 @@ void Simulation::watch_faults(std::uint32_t faults, StepOutput& output) noexcept
 }
 
 void Simulation::announce_pieces(StepOutput& output) noexcept {
+  for (std::size_t said = 0; said < sections_per_step; ++said) {
+    const std::int32_t kerf = pieces_.announce_next_section();
+    if (kerf < 0) break;
+    note(output, CutEventKind::SectionCovered, kerf);
+  }
   for (std::size_t said = 0; said < pieces_per_step; ++said) {
     const FoundPiece* const piece = pieces_.announce_next();
     if (piece == nullptr) return;

@@ -137,7 +137,7 @@ void KerfField::put(const FieldWindow& window, std::span<const float> inside_mm)
     }
     if (changed.is_empty()) continue;
     note_risen(u, changed, all_changed);
-    covers_[static_cast<std::size_t>(u)] = LineCover{};
+    covers_[static_cast<std::size_t>(u)] = {LineCover{}, true};
   }
 }
 
@@ -175,7 +175,7 @@ struct KerfField::Rim {
 /// which nodes are looked at depends on that, since nodes at the limit and nodes under a cover
 /// cannot rise.
 void KerfField::stamp_line(const SweptBlade& swept, std::int32_t u, FieldWindow& changed) noexcept {
-  LineCover& cover = covers_[static_cast<std::size_t>(u)];
+  LineCover& cover = covers_[static_cast<std::size_t>(u)].known();
   if (swept.is_covered(u, cover)) return;
   const SweptBlade::Line line = swept.line(u);
   const auto note = [&](const NodeSpan& risen) {

@@ -21,6 +21,7 @@
 #include <span>
 #include <vector>
 
+#include "simulator/base/fixed_array.h"
 #include "simulator/base/transform.h"
 #include "simulator/cutting/field/line_cover.h"
 #include "simulator/cutting/field/node_bits.h"
@@ -173,7 +174,7 @@ class KerfField {
   /// Nodes above zero.
   NodeBits open_;
   /// Per line.
-  std::vector<LineCover> covers_;
+  ZeroedArray<KeptCover> covers_;
   std::vector<std::uint32_t> tile_revisions_;
   std::uint32_t revision_ = 0;
 };

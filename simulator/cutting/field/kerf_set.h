@@ -19,7 +19,7 @@
 namespace hallux::simulator {
 
 /// As many planes as an attempt may freeze; a touch beyond that is refused with an event.
-inline constexpr std::int32_t kerf_limit = 4;
+inline constexpr std::int32_t kerf_limit = 16;
 
 class KerfSet {
  public:

@@ -25,4 +25,15 @@ struct LineCover {
   double high_near = -far, high_deep = -far, high_end = far;
 };
 
+/// The cover of a line; all its bits are zero before anything is known.
+struct KeptCover {
+  LineCover cover;
+  bool is_known;
+
+  LineCover& known() noexcept {
+    if (!is_known) *this = {LineCover{}, true};
+    return cover;
+  }
+};
+
 }  // namespace hallux::simulator

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
+
+#include "simulator/base/fixed_array.h"
 
 namespace hallux::simulator {
 
@@ -61,7 +62,7 @@ class NodeBits {
   static unsigned bit_of(std::int32_t v) noexcept { return static_cast<unsigned>(v + 1) % 64; }
 
   std::size_t line_words_;
-  std::vector<std::uint64_t> words_;
+  ZeroedArray<std::uint64_t> words_;
 };
 
 }  // namespace hallux::simulator

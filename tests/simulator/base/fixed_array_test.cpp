@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstdint>
 #include <numeric>
 
 namespace hallux {
@@ -29,6 +30,20 @@ TEST(FixedArray, TakesItsOwnCopy) {
   EXPECT_EQ(values[1], 2);
   EXPECT_EQ(copy[0], 9);
   EXPECT_EQ(copy[2], 3);
+}
+
+TEST(ZeroedArray, HoldsZerosUntilItIsWrittenTo) {
+  ZeroedArray<std::uint64_t> words(100000);
+  EXPECT_EQ(words.size(), 100000U);
+  EXPECT_EQ(std::accumulate(words.begin(), words.end(), std::uint64_t{0}), 0U);
+  words[77777] = 5;
+  const ZeroedArray<std::uint64_t> copy = words;
+  words[77777] = 6;
+  EXPECT_EQ(copy[77777], 5U);
+  ZeroedArray<std::uint64_t> other(3);
+  other = copy;
+  EXPECT_EQ(other.size(), 100000U);
+  EXPECT_EQ(other[77777], 5U);
 }
 
 }  // namespace

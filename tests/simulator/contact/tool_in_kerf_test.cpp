@@ -222,7 +222,7 @@ TEST(ToolInKerf, AStrokeThreeMillimetresBesideThePlaneOpensANewKerf) {
 TEST(ToolInKerf, AKerfBeyondTheLimitIsRefusedWithAnEvent) {
   const Bone bone = wide_block();
   SimulationRun run(bone, blade_down({-9.0, above_mm, 0.0}));
-  for (std::int32_t i = 0; i < kerf_limit; ++i) stroke(run, {3.0 * i - 9.0, top_mm - 8.0, 0.0});
+  for (std::int32_t i = 0; i < kerf_limit; ++i) stroke(run, {1.1 * i - 9.0, top_mm - 8.0, 0.0});
   EXPECT_EQ(run.events(CutEventKind::PlaneFrozen).size(), static_cast<std::size_t>(kerf_limit));
   EXPECT_EQ(run.events(CutEventKind::KerfRefused).size(), 0U);
   stroke(run, {9.0, top_mm - 8.0, 0.0});
@@ -233,7 +233,7 @@ TEST(ToolInKerf, AKerfBeyondTheLimitIsRefusedWithAnEvent) {
 TEST(ToolInKerf, ARefusedKerfIsOneEventAndTheTeethGoNoDeeper) {
   const Bone bone = wide_block();
   SimulationRun run(bone, blade_down({-9.0, above_mm, 0.0}));
-  for (std::int32_t i = 0; i < kerf_limit; ++i) stroke(run, {3.0 * i - 9.0, top_mm - 8.0, 0.0});
+  for (std::int32_t i = 0; i < kerf_limit; ++i) stroke(run, {1.1 * i - 9.0, top_mm - 8.0, 0.0});
   run.glide(blade_down({9.0, above_mm, 0.0}), 60);
   run.glide(blade_down({9.0, top_mm - 8.0, 0.0}), 1000);
   EXPECT_EQ(run.events(CutEventKind::KerfRefused).size(), 1U);

@@ -91,9 +91,12 @@ TEST(PieceBook, RemembersTheLastWishUntilItIsTaken) {
 
 TEST(PieceBook, TellsOfEachCoveredSectionOnce) {
   PieceBook book;
-  EXPECT_TRUE(book.cover_section(1));
-  EXPECT_FALSE(book.cover_section(1));
-  EXPECT_TRUE(book.cover_section(0));
+  book.cover_section(3);
+  book.cover_section(1);
+  EXPECT_EQ(book.announce_next_section(), 1);
+  book.cover_section(1);
+  EXPECT_EQ(book.announce_next_section(), 3);
+  EXPECT_EQ(book.announce_next_section(), -1);
 }
 
 }  // namespace

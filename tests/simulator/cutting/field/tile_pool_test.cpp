@@ -140,7 +140,7 @@ TEST(KerfSetMemory, FollowsWhatIsOpenedAndNotHowManyKerfsThereMayBe) {
   const std::size_t opened_bytes =
       kerfs.tiles().touched_count() * TilePool::nodes_per_tile * sizeof(float);
   EXPECT_GT(opened_bytes, 0U);
-  EXPECT_LT(opened_bytes, std::size_t{5} << 20U) << "whole grids take 41 MiB";
+  EXPECT_LT(opened_bytes, std::size_t{20} << 20U) << "whole grids take 164 MiB";
 }
 
 }  // namespace
