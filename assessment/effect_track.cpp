@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "assessment/rebuild/open_kerfs.h"
 #include "simulator/base/check.h"
@@ -26,7 +27,7 @@ EffectTrack track_effects(const simulator::Bone& bone, const simulator::SawInHan
   const std::size_t count = recording.samples.size();
   open_kerfs(
       kerfs, recording, [](std::int64_t) {},
-      [&](std::size_t index, const simulator::FieldWindow&) {
+      [&](std::size_t index, std::span<const simulator::RisenKerf>) {
         effects.apply(recording.samples[index], {tissue, kerfs, {}});
         track.greatest_deflection_mm =
             std::max(track.greatest_deflection_mm, std::abs(effects.flex().deflection_mm));

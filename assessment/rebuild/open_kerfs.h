@@ -9,8 +9,9 @@
 
 namespace hallux::assessment {
 
-/// Freezes the planes alone. Calls `frozen(tick)` after each that begins a kerf, and
-/// `sampled(index)` for each sample when its turn comes. A plane that was refused begins none.
+/// Freezes the planes and places the fragments alone. Calls `frozen(tick)` after each that begins a
+/// kerf, and `sampled(index)` for each sample when its turn comes. A plane that was refused begins
+/// none.
 /// needs   samples and events are in the order of their ticks
 template <typename Frozen, typename Sampled>
 void freeze_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recording, Frozen&& frozen,
@@ -19,15 +20,15 @@ void freeze_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recordi
   for (std::size_t index = 0; index < recording.samples.size(); ++index) {
     for (; event != recording.events.end() && event->tick <= recording.samples[index].tick;
          ++event) {
-      if (event->kind != simulator::CutEventKind::PlaneFrozen) continue;
-      if (kerfs.freeze(event->pose) >= 0) frozen(event->tick);
+      const bool is_done = kerfs.apply(*event);
+      if (is_done && event->kind == simulator::CutEventKind::PlaneFrozen) frozen(event->tick);
     }
     sampled(index);
   }
 }
 
-/// The same, and opens them: `swept(index, changed)` is called after each sample, with `kerfs` as
-/// they stood then and the window of nodes that the sample raised.
+/// The same, and opens them: `swept(index, risen)` is called after each sample, with `kerfs` as they
+/// stood then and those that the sample raised.
 template <typename Frozen, typename Swept>
 void open_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recording, Frozen&& frozen,
                 Swept&& swept) {

@@ -1,5 +1,7 @@
 #include "assessment/rebuild/opened_fields.h"
 
+#include <span>
+
 #include "assessment/rebuild/open_kerfs.h"
 #include "simulator/cutting/field/kerf_set.h"
 
@@ -30,11 +32,11 @@ OpenedFields opened_fields(const simulator::Blade& blade, const RigidTransform& 
   open_kerfs(
       kerfs, recording,
       [&](std::int64_t) { notes.emplace_back(kerfs.field(kerfs.count() - 1).grid()); },
-      [&](std::size_t index, const simulator::FieldWindow& changed) {
-        const simulator::ToolSample& sample = recording.samples[index];
-        if (!changed.is_empty())
-          notes[static_cast<std::size_t>(sample.kerf)].note(kerfs.field(sample.kerf), changed,
-                                                            sample.tick);
+      [&](std::size_t index, std::span<const simulator::RisenKerf> risen) {
+        for (const simulator::RisenKerf& each : risen) {
+          notes[static_cast<std::size_t>(each.kerf)].note(kerfs.field(each.kerf), each.window,
+                                                          recording.samples[index].tick);
+        }
         if (index % samples_per_report == 0) report(progress, static_cast<double>(index) / count);
       });
   OpenedFields fields;

@@ -1,6 +1,7 @@
 #include "assessment/rebuild/rebuild.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 
 #include "assessment/rebuild/open_kerfs.h"
@@ -48,7 +49,7 @@ void stamp_kerfs(RebuiltBone& rebuilt, const Recording& recording, const SampleF
   open_kerfs(
       rebuilt.fields, recording,
       [&](std::int64_t tick) { rebuilt.kerfs.push_back(frozen_at(tick)); },
-      [&](std::size_t index, const simulator::FieldWindow&) {
+      [&](std::size_t index, std::span<const simulator::RisenKerf>) {
         note_cutting(rebuilt, recording.samples[index]);
         if (follow) follow(recording.samples[index], rebuilt.fields);
         if (index % samples_per_report == 0)

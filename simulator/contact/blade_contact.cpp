@@ -94,7 +94,7 @@ class ContactSearch {
   /// What was known bounds the search; its answer is the same.
   std::optional<NearestPoint> nearest_skin(const Vec3& point_mm, const SurfaceMemory& memory,
                                            double moved_mm) const noexcept {
-    const Bvh& surface = bone_.original.surface();
+    const Bvh& surface = bone_.surface();
     if (!memory.is_known) return surface.nearest(point_mm);
     const double most_mm = std::abs(memory.clearance_mm) + moved_mm + rounding_mm;
     const std::optional<NearestPoint> found = surface.nearest(point_mm, most_mm);
@@ -107,7 +107,7 @@ class ContactSearch {
 
   /// Whether a wall of some kerf is within the distance, be it open there or not.
   bool is_near_kerf(const Vec3& point_mm, double within_mm) const noexcept {
-    for (std::int32_t kerf = 0; kerf < bone_.kerfs.count(); ++kerf) {
+    for (const std::int32_t kerf : bone_.kerfs) {
       const double height_mm = transform_point(bone_.kerfs.kerf_from_bone(kerf), point_mm).z;
       if (std::abs(height_mm) < 0.5 * bone_.kerfs.plane(kerf).thickness_mm + within_mm) return true;
     }
@@ -145,17 +145,17 @@ class ContactSearch {
   int dear_count_ = 0;
 };
 
-}  // namespace
-
-BladeContacts find_contacts(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
-                            double margin_mm, BladeMemory& memory) noexcept {
-  BladeContacts contacts;
-  ContactSearch search(bone);
+/// The contacts with one fragment; `slot`: its place among those that are touched.
+void add_contacts(const RigidTransform& bone_from_tool, const WoundFragment& standing,
+                  std::size_t slot, double margin_mm, BladeMemory& memory,
+                  BladeContacts& contacts) noexcept {
+  const RigidTransform fragment_from_tool = standing.fragment_from(bone_from_tool);
+  ContactSearch search(standing.tissue);
   SurfaceMemory last;
   for (std::size_t point = 0; point < contact_point_count; ++point) {
-    const Ball part = ball(point, bone.kerfs.blade());
-    const Vec3 arm_mm = transform_direction(bone_from_tool, part.in_tool_mm);
-    const Vec3 centre_mm = bone_from_tool.translation_mm + arm_mm;
+    const Ball part = ball(point, standing.tissue.kerfs.blade());
+    Vec3 arm_mm = transform_direction(fragment_from_tool, part.in_tool_mm);
+    const Vec3 centre_mm = fragment_from_tool.translation_mm + arm_mm;
     const double within_mm = part.radius_mm + margin_mm;
     // What the point before it has just learnt may be enough.
     if (last.is_known && last.clearance_mm - length_of(centre_mm - last.asked_mm) > within_mm)
@@ -164,9 +164,29 @@ BladeContacts find_contacts(const RigidTransform& bone_from_tool, const Remainin
     const std::optional<NearSurface> near = search.near_surface(centre_mm, within_mm, own);
     last = own;
     if (!near || near->height_mm > within_mm) continue;
-    contacts.list[contacts.count++] = {point, arm_mm - part.radius_mm * near->normal, near->normal,
-                                       near->height_mm - part.radius_mm};
+    Vec3 normal = near->normal;
+    if (standing.is_moved) {
+      normal = transform_direction(standing.wound_from_fragment, normal);
+      arm_mm = transform_direction(standing.wound_from_fragment, arm_mm);
+    }
+    contacts.list[contacts.count++] = {
+        slot * contact_point_count + point, arm_mm - part.radius_mm * normal, normal,
+        near->height_mm - part.radius_mm, point < contact_tooth_count};
   }
+}
+
+}  // namespace
+
+BladeContacts find_contacts(const RigidTransform& bone_from_tool, const Wound& bone,
+                            double margin_mm, OfFragments<BladeMemory>& memory) noexcept {
+  BladeContacts contacts;
+  std::size_t slot = 0;
+  bone.visit_near(bone_from_tool.translation_mm, reach_of_blade_mm(bone.blade()) + margin_mm,
+                  [&](std::int32_t number, const WoundFragment& standing) {
+                    if (slot == touched_fragments) return;
+                    add_contacts(bone_from_tool, standing, slot++, margin_mm,
+                                 memory[static_cast<std::size_t>(number)], contacts);
+                  });
   return contacts;
 }
 

@@ -14,7 +14,7 @@
 #include <array>
 #include <span>
 
-#include "simulator/contact/tissue.h"
+#include "simulator/contact/wound.h"
 
 namespace hallux::simulator {
 
@@ -33,9 +33,14 @@ struct SurfaceMemory {
 };
 using BladeMemory = std::array<SurfaceMemory, contact_point_count>;
 
-/// A point of the blade near standing bone.
+/// A blade may touch so many fragments at once; what it touches of others is not felt.
+inline constexpr std::size_t touched_fragments = 3;
+/// As many contacts as there may be at once.
+inline constexpr std::size_t contact_limit = touched_fragments * contact_point_count;
+
+/// A point of the blade, or of what is moved, near standing bone.
 struct BladeContact {
-  /// Below contact_tooth_count: a tooth.
+  /// Below contact_limit, another for each fragment that the point is near to.
   std::size_t point = 0;
   /// From the tool's origin, bone frame.
   Vec3 arm_mm{0.0, 0.0, 0.0};
@@ -43,26 +48,23 @@ struct BladeContact {
   Vec3 normal{0.0, 0.0, 0.0};
   /// Between the point's ball and the bone, negative where it is in.
   double gap_mm = 0.0;
+  bool is_tooth = false;
 };
 
 /// The contacts of one pose; the first `count` of the list.
 struct BladeContacts {
-  std::array<BladeContact, contact_point_count> list{};
+  std::array<BladeContact, contact_limit> list{};
   std::size_t count = 0;
 
   std::span<const BladeContact> all() const noexcept { return {list.data(), count}; }
 };
-
-constexpr bool is_tooth(const BladeContact& contact) noexcept {
-  return contact.point < contact_tooth_count;
-}
 
 /// All points whose ball is within `margin_mm` of standing bone. Left out are points in an open
 /// kerf while no piece is missing (its walls are the teeth's), and points more than a millimetre
 /// inside bone, which have no way out.
 /// errors  none: total, allocates nothing
 /// thread  haptic
-BladeContacts find_contacts(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
-                            double margin_mm, BladeMemory& memory) noexcept;
+BladeContacts find_contacts(const RigidTransform& bone_from_tool, const Wound& bone,
+                            double margin_mm, OfFragments<BladeMemory>& memory) noexcept;
 
 }  // namespace hallux::simulator

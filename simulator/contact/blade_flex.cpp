@@ -22,11 +22,11 @@ double deflection_mm(const BladeBeam& beam, double side_force_newton) noexcept {
 }
 
 double free_length_mm(const RigidTransform& bone_from_tool, double depth_mm,
-                      const TissueMap& original) noexcept {
+                      const Wound& bone) noexcept {
   double from_collar_mm = 0.0;
   while (from_collar_mm < depth_mm) {
     const Vec3 point = transform_point(bone_from_tool, Vec3{from_collar_mm - depth_mm, 0.0, 0.0});
-    const double clearance_mm = original.clearance_mm(point);
+    const double clearance_mm = bone.clearance_mm(point);
     if (clearance_mm <= near_mm) return from_collar_mm;
     from_collar_mm += std::max(step_mm, clearance_mm);
   }

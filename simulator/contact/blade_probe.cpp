@@ -26,41 +26,16 @@ std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
   return points;
 }
 
-std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_tool,
-                                                const RemainingTissue& bone, double ahead_mm,
-                                                TeethMemory& teeth) noexcept {
-  const Blade& blade = bone.kerfs.blade();
-  std::array<Tissue, tooth_count> hardest{};
-  for (std::size_t layer = 0; layer < tooth_layers; ++layer) {
-    const double aside_mm = tooth_layer_share * blade.kerf_mm * (static_cast<double>(layer) - 1.0);
-    const auto points = tooth_points(bone_from_tool, blade, ahead_mm, aside_mm);
-    for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
-      const Tissue tissue = bone.at(points[tooth], teeth[layer * tooth_count + tooth]);
-      hardest[tooth] = std::max(hardest[tooth], tissue);
-    }
-  }
-  return hardest;
-}
+namespace {
 
-Engagement engagement(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
-                      double ahead_mm, TeethMemory& teeth) noexcept {
-  const double share_mm = bone.kerfs.blade().width_mm / static_cast<double>(tooth_count);
-  Engagement engaged;
-  for (const Tissue tissue : tissue_at_teeth(bone_from_tool, bone, ahead_mm, teeth)) {
-    if (tissue == Tissue::Cortical) engaged.cortical_mm += share_mm;
-    if (tissue == Tissue::Cancellous) engaged.cancellous_mm += share_mm;
-  }
-  return engaged;
-}
-
-bool edge_meets_bone(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
-                     double side) noexcept {
+bool edge_meets(const RigidTransform& fragment_from_tool, const RemainingTissue& bone,
+                double side) noexcept {
   const Blade& blade = bone.kerfs.blade();
   for (double back_mm = 0.0; back_mm <= blade.depth_mm;) {
-    const Vec3 point = blade_point(bone_from_tool, back_mm, side * 0.5 * blade.width_mm);
+    const Vec3 point = blade_point(fragment_from_tool, back_mm, side * 0.5 * blade.width_mm);
     double step_mm = probe_step_mm;
     if (!bone.kerfs.is_open(point)) {
-      const double clearance_mm = bone.original.clearance_mm(point);
+      const double clearance_mm = bone.clearance_mm(point);
       if (clearance_mm <= 0.0 && is_bone(bone.at(point))) return true;
       step_mm = std::max(step_mm, clearance_mm);
     }
@@ -69,17 +44,76 @@ bool edge_meets_bone(const RigidTransform& bone_from_tool, const RemainingTissue
   return false;
 }
 
-bool blade_is_in_bone(const RigidTransform& bone_from_tool, const RemainingTissue& bone) noexcept {
+bool blade_is_in(const RigidTransform& fragment_from_tool, const RemainingTissue& bone) noexcept {
   const Blade& blade = bone.kerfs.blade();
   for (const double side : {0.0, -0.5, 0.5}) {
     for (double back_mm = 0.0; back_mm <= blade.depth_mm;) {
       const double clearance_mm =
-          bone.original.clearance_mm(blade_point(bone_from_tool, back_mm, side * blade.width_mm));
+          bone.clearance_mm(blade_point(fragment_from_tool, back_mm, side * blade.width_mm));
       if (clearance_mm <= 0.0) return true;
       back_mm += std::max(probe_step_mm, clearance_mm);
     }
   }
   return false;
+}
+
+/// Whether it holds of a fragment near the blade: is_so(fragment_from_tool, its tissue).
+template <typename Claim>
+bool holds_of_any(const RigidTransform& bone_from_tool, const Wound& bone, const Claim& is_so) {
+  bool holds = false;
+  bone.visit_near(bone_from_tool.translation_mm, reach_of_blade_mm(bone.blade()),
+                  [&](std::int32_t, const WoundFragment& standing) {
+                    holds = holds || is_so(standing.fragment_from(bone_from_tool), standing.tissue);
+                  });
+  return holds;
+}
+
+}  // namespace
+
+std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_tool,
+                                                const Wound& bone, double ahead_mm,
+                                                OfFragments<TeethMemory>& teeth) noexcept {
+  const Blade& blade = bone.blade();
+  std::array<Tissue, tooth_count> hardest{};
+  const auto ask = [&](std::int32_t number, const WoundFragment& standing) {
+    const RigidTransform fragment_from_tool = standing.fragment_from(bone_from_tool);
+    TeethMemory& memory = teeth[static_cast<std::size_t>(number)];
+    for (std::size_t layer = 0; layer < tooth_layers; ++layer) {
+      const double aside_mm =
+          tooth_layer_share * blade.kerf_mm * (static_cast<double>(layer) - 1.0);
+      const auto points = tooth_points(fragment_from_tool, blade, ahead_mm, aside_mm);
+      for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
+        const Tissue tissue =
+            standing.tissue.at(points[tooth], memory[layer * tooth_count + tooth]);
+        hardest[tooth] = std::max(hardest[tooth], tissue);
+      }
+    }
+  };
+  bone.visit_near(bone_from_tool.translation_mm, reach_of_blade_mm(blade), ask);
+  return hardest;
+}
+
+Engagement engagement(const RigidTransform& bone_from_tool, const Wound& bone, double ahead_mm,
+                      OfFragments<TeethMemory>& teeth) noexcept {
+  const double share_mm = bone.blade().width_mm / static_cast<double>(tooth_count);
+  Engagement engaged;
+  for (const Tissue tissue : tissue_at_teeth(bone_from_tool, bone, ahead_mm, teeth)) {
+    if (tissue == Tissue::Cortical) engaged.cortical_mm += share_mm;
+    if (tissue == Tissue::Cancellous) engaged.cancellous_mm += share_mm;
+  }
+  return engaged;
+}
+
+bool edge_meets_bone(const RigidTransform& bone_from_tool, const Wound& bone,
+                     double side) noexcept {
+  return holds_of_any(bone_from_tool, bone,
+                      [side](const RigidTransform& pose, const RemainingTissue& tissue) {
+                        return edge_meets(pose, tissue, side);
+                      });
+}
+
+bool blade_is_in_bone(const RigidTransform& bone_from_tool, const Wound& bone) noexcept {
+  return holds_of_any(bone_from_tool, bone, blade_is_in);
 }
 
 }  // namespace hallux::simulator

@@ -22,21 +22,21 @@ std::array<Vec3, tooth_count> tooth_points(const RigidTransform& bone_from_tool,
 /// `teeth` remembers.
 /// thread  haptic; allocates nothing
 std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_tool,
-                                                const RemainingTissue& bone, double ahead_mm,
-                                                TeethMemory& teeth) noexcept;
+                                                const Wound& bone, double ahead_mm,
+                                                OfFragments<TeethMemory>& teeth) noexcept;
 
 /// The engaged width per tissue over the tooth line (the hardest over a tooth's thickness), asked
 /// `ahead_mm` in front of it; `teeth` remembers.
 /// thread  haptic; allocates nothing
-Engagement engagement(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
-                      double ahead_mm, TeethMemory& teeth) noexcept;
+Engagement engagement(const RigidTransform& bone_from_tool, const Wound& bone, double ahead_mm,
+                      OfFragments<TeethMemory>& teeth) noexcept;
 
 /// Whether standing bone lies on the blade's edge on the side `side` (+1 or -1 along the tooth
 /// line).
-bool edge_meets_bone(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
-                     double side) noexcept;
+bool edge_meets_bone(const RigidTransform& bone_from_tool, const Wound& bone, double side) noexcept;
 
-/// Whether any of the blade (middle line or edges) lies within the original bone's outer surface.
-bool blade_is_in_bone(const RigidTransform& bone_from_tool, const RemainingTissue& bone) noexcept;
+/// Whether any of the blade (middle line or edges) lies within a fragment's outer surface as it was
+/// before its kerfs.
+bool blade_is_in_bone(const RigidTransform& bone_from_tool, const Wound& bone) noexcept;
 
 }  // namespace hallux::simulator

@@ -21,30 +21,10 @@ constexpr double cell_capacity_joule_per_kelvin =
     bone_heat_joule_per_mm3_kelvin * heat_cell_volume_mm3;
 /// Places behind each tooth at which its share of the heat is put.
 constexpr int rubbing_parts = 4;
-/// As far in front of the recorded teeth bone is asked for: they stand on bone, not in it.
-constexpr double probe_ahead_mm = 0.02;
-
-/// Which tissue each tooth is about to cut.
-struct Teeth {
-  std::array<Tissue, tooth_count> tissue{};
-  int engaged = 0;
-};
-
 RigidTransform blade_in_plane(const KerfPlane& plane, const PlanarPose& pose) noexcept {
   const Vec3 ahead{pose.direction, 0.0}, along{-pose.direction.y, pose.direction.x, 0.0};
   return plane.bone_from_kerf *
          RigidTransform{rotation_from_axes(ahead, along), Vec3{pose.tip_mm, 0.0}};
-}
-
-Teeth teeth_in_bone(const RigidTransform& bone_from_blade, const RemainingTissue& bone,
-                    std::array<TissueMemory, tooth_count>& memory) noexcept {
-  Teeth teeth;
-  const auto points = tooth_points(bone_from_blade, bone.kerfs.blade(), probe_ahead_mm);
-  for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
-    teeth.tissue[tooth] = bone.at(points[tooth], memory[tooth]);
-    if (is_bone(teeth.tissue[tooth])) ++teeth.engaged;
-  }
-  return teeth;
 }
 
 /// The hand's push along the feed direction, as the record has it [N].
@@ -74,9 +54,8 @@ std::size_t cell_of(std::int32_t kerf, std::int32_t number) noexcept {
 
 }  // namespace
 
-HeatField::HeatField(const Saw& saw, const RigidTransform& world_from_bone)
+HeatField::HeatField(const Saw& saw)
     : blade_(saw.blade),
-      bone_from_world_(inverse(world_from_bone)),
       tooth_speed_mm_s_(mean_tooth_speed_mm_s(saw.blade.depth_mm, saw.cycles_per_minute)),
       friction_(saw_friction / saw.sharpness),
       cells_(static_cast<std::size_t>(kerf_limit) * cells_per_kerf),
@@ -113,7 +92,7 @@ double HeatField::hottest_now_celsius() const noexcept {
   return *std::max_element(hottest_celsius_.begin(), hottest_celsius_.end());
 }
 
-void HeatField::apply(const ToolSample& sample, const RemainingTissue& bone) noexcept {
+void HeatField::apply(const ToolSample& sample, const Wound& bone) noexcept {
   const std::int64_t ticks =
       std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_per_line_max);
   last_tick_ = sample.tick;
@@ -125,17 +104,21 @@ void HeatField::apply(const ToolSample& sample, const RemainingTissue& bone) noe
   heat(sample, bone, span_s);
   if (hot_cells_ > 0) summary_.hot_s += span_s;
   for (double& since_s : since_s_) since_s += span_s;
-  cool(has(sample.status, ToolStatus::Irrigated) ? sample.kerf : -1);
+  const bool is_rinsed = has(sample.status, ToolStatus::Irrigated) && sample.kerf >= 0;
+  cool(is_rinsed ? bone.kerfs().one_cut_with(sample.kerf) : KerfNumbers{});
 }
 
-void HeatField::heat(const ToolSample& sample, const RemainingTissue& bone,
-                     double span_s) noexcept {
+void HeatField::heat(const ToolSample& sample, const Wound& bone, double span_s) noexcept {
   const bool is_same_kerf = sample.kerf >= 0 && sample.kerf == last_kerf_;
   last_kerf_ = sample.kerf;
   if (sample.kerf < 0) return;
-  const KerfPlane& plane = bone.kerfs.plane(sample.kerf);
-  const PlanarPose pose =
-      planar_pose(plane, bone_from_world_ * transform_from(sample.world_from_tool));
+  const KerfSet& kerfs = bone.kerfs();
+  const RigidTransform world_from_tool = transform_from(sample.world_from_tool);
+  const auto pose_in = [&](std::int32_t kerf) {
+    const FragmentPose& fragment = kerfs.fragments()[kerfs.fragment_of(kerf)];
+    return planar_pose(kerfs.plane(kerf), fragment.fragment_from_world * world_from_tool);
+  };
+  const PlanarPose pose = pose_in(sample.kerf);
   const Vec2 way_mm = is_same_kerf ? pose.tip_mm - last_pose_.tip_mm : Vec2{0.0, 0.0};
   last_pose_ = pose;
   const bool rubs =
@@ -145,23 +128,48 @@ void HeatField::heat(const ToolSample& sample, const RemainingTissue& bone,
   const double friction_joule =
       0.001 * friction_ * push_newton(sample) * tooth_speed_mm_s_ * span_s;
   const double advance_mm = std::max(0.0, glm::dot(way_mm, pose.direction));
-  rub({sample.kerf, pose, friction_joule, advance_mm}, bone);
+  const KerfNumbers cut = kerfs.one_cut_with(sample.kerf);
+  std::array<Teeth, static_cast<std::size_t>(kerf_limit)> teeth;
+  int engaged = 0;
+  for (const std::int32_t kerf : cut) {
+    Teeth& own = teeth[static_cast<std::size_t>(kerf)];
+    own = teeth_in(kerf, pose_in(kerf), bone);
+    engaged += own.engaged;
+  }
+  if (engaged == 0) return;
+  for (const std::int32_t kerf : cut) {
+    rub({kerf, pose_in(kerf), teeth[static_cast<std::size_t>(kerf)], friction_joule / engaged,
+         advance_mm},
+        bone);
+  }
+}
+
+/// As they stand in a kerf's fragment.
+HeatField::Teeth HeatField::teeth_in(std::int32_t kerf, const PlanarPose& pose,
+                                     const Wound& bone) noexcept {
+  Teeth teeth;
+  const WoundFragment& standing = bone.fragment_of_kerf(kerf);
+  auto& memory = teeth_[static_cast<std::size_t>(bone.kerfs().fragment_of(kerf))];
+  const auto points =
+      tooth_points(blade_in_plane(bone.kerfs().plane(kerf), pose), bone.blade(), probe_ahead_mm);
+  for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
+    teeth.tissue[tooth] = standing.tissue.at(points[tooth], memory[tooth]);
+    if (is_bone(teeth.tissue[tooth])) ++teeth.engaged;
+  }
+  return teeth;
 }
 
 /// The heat of each engaged tooth goes to the walls behind it.
-void HeatField::rub(const Stroke& stroke, const RemainingTissue& bone) noexcept {
+void HeatField::rub(const Stroke& stroke, const Wound& bone) noexcept {
   const PlanarPose& pose = stroke.pose;
-  const RigidTransform bone_from_blade = blade_in_plane(bone.kerfs.plane(stroke.kerf), pose);
-  const Teeth teeth = teeth_in_bone(bone_from_blade, bone, teeth_);
-  if (teeth.engaged == 0) return;
+  const Teeth& teeth = stroke.teeth;
   const Vec2 along{-pose.direction.y, pose.direction.x};
   const double share_mm = blade_.width_mm / static_cast<double>(tooth_count);
   for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
     if (!is_bone(teeth.tissue[tooth])) continue;
     const double cutting_joule = cutting_work_joule_per_mm3(teeth.tissue[tooth]) * blade_.kerf_mm *
                                  share_mm * stroke.advance_mm;
-    const double joule =
-        wall_share * (stroke.friction_joule / teeth.engaged + cutting_joule) / rubbing_parts;
+    const double joule = wall_share * (stroke.tooth_friction_joule + cutting_joule) / rubbing_parts;
     const double aside_mm = (static_cast<double>(tooth) + 0.5) * share_mm - 0.5 * blade_.width_mm;
     const Vec2 tooth_mm = pose.tip_mm + aside_mm * along;
     for (int part = 0; part < rubbing_parts; ++part) {
@@ -173,7 +181,7 @@ void HeatField::rub(const Stroke& stroke, const RemainingTissue& bone) noexcept 
 
 /// Along the tooth line the heat is shared by the two nearest cells, else teeth that stand closer
 /// than cells would warm some of them twice as much as others. What rubs in air warms nothing.
-void HeatField::add_heat(std::int32_t kerf, const RemainingTissue& bone, const Vec2& place_mm,
+void HeatField::add_heat(std::int32_t kerf, const Wound& bone, const Vec2& place_mm,
                          double joule) noexcept {
   const double v_cells = (place_mm.y + grid_half_mm) / heat_cell_mm - 0.5;
   const double upper_share = v_cells - std::floor(v_cells);
@@ -188,14 +196,14 @@ void HeatField::add_heat(std::int32_t kerf, const RemainingTissue& bone, const V
   add_to_cell(kerf, upper, share * joule);
 }
 
-bool HeatField::is_bone_cell(std::int32_t kerf, std::int32_t number,
-                             const RemainingTissue& bone) noexcept {
+bool HeatField::is_bone_cell(std::int32_t kerf, std::int32_t number, const Wound& bone) noexcept {
   if (number < 0) return false;
   Place& place = visited(kerf, number).place;
   if (place == Place::Unknown) {
     const Vec3 middle_mm =
-        transform_point(bone.kerfs.plane(kerf).bone_from_kerf, Vec3{middle_of(number), 0.0});
-    place = bone.original.clearance_mm(middle_mm) < 0.0 ? Place::Bone : Place::Air;
+        transform_point(bone.kerfs().plane(kerf).bone_from_kerf, Vec3{middle_of(number), 0.0});
+    const TissueMap& original = bone.fragment_of_kerf(kerf).tissue.original;
+    place = original.clearance_mm(middle_mm) < 0.0 ? Place::Bone : Place::Air;
   }
   return place == Place::Bone;
 }
@@ -212,7 +220,7 @@ void HeatField::add_to_cell(std::int32_t kerf, std::int32_t number, double joule
 }
 
 /// Every sixteenth row, in turn.
-void HeatField::cool(std::int32_t rinsed_kerf) noexcept {
+void HeatField::cool(const KerfNumbers& rinsed_kerfs) noexcept {
   const std::size_t group = next_group_;
   next_group_ = (next_group_ + 1) % group_count;
   const double span_s = since_s_[group];
@@ -227,7 +235,7 @@ void HeatField::cool(std::int32_t rinsed_kerf) noexcept {
       if (u < warmed.u_first) continue;
       for (std::int32_t v = warmed.v_first; v <= warmed.v_last; ++v) {
         const std::int32_t number = u * heat_cells + v;
-        update_cell(kerf, number, kerf == rinsed_kerf ? rinsed : dry, span_s);
+        update_cell(kerf, number, rinsed_kerfs.has(kerf) ? rinsed : dry, span_s);
         hottest_celsius_[group] = std::max(hottest_celsius_[group], visited(kerf, number).celsius);
       }
     }

@@ -59,14 +59,14 @@ class HeatField {
 
   /// Takes all its memory here. A dull blade rubs as much more as it is less sharp than a new one.
   /// needs   saw.sharpness > 0
-  HeatField(const Saw& saw, const RigidTransform& world_from_bone);
+  explicit HeatField(const Saw& saw);
 
   /// Follows the record by one sample: heat where the teeth stand in bone, and the time since the
   /// sample before. While the attempt does not run, time stands still here too.
   /// needs   samples in their order; `bone` as it stands after the sample
   /// errors  none: total, allocates nothing
   /// thread  haptic (and, on its own copy, assessment)
-  void apply(const ToolSample& sample, const RemainingTissue& bone) noexcept;
+  void apply(const ToolSample& sample, const Wound& bone) noexcept;
 
   /// The next mark that waits, no sooner than `ticks_per_heat_mark` after the one before.
   bool take_mark(HeatMark& mark) noexcept;
@@ -101,22 +101,28 @@ class HeatField {
     std::int32_t cell = 0;
   };
 
-  /// What the saw gives in one sample: the blade in the kerf's plane, friction of all teeth, way
-  /// cut.
+  /// Which tissue each tooth is about to cut.
+  struct Teeth {
+    std::array<Tissue, tooth_count> tissue{};
+    int engaged = 0;
+  };
+  /// What the saw gives to a kerf in one sample: the blade in its plane and the teeth in its
+  /// fragment, the friction of each of them, and the way cut.
   struct Stroke {
     std::int32_t kerf = -1;
     PlanarPose pose;
-    double friction_joule = 0.0;
+    Teeth teeth;
+    double tooth_friction_joule = 0.0;
     double advance_mm = 0.0;
   };
 
-  void heat(const ToolSample& sample, const RemainingTissue& bone, double span_s) noexcept;
-  void rub(const Stroke& stroke, const RemainingTissue& bone) noexcept;
-  void add_heat(std::int32_t kerf, const RemainingTissue& bone, const Vec2& place_mm,
-                double joule) noexcept;
+  void heat(const ToolSample& sample, const Wound& bone, double span_s) noexcept;
+  Teeth teeth_in(std::int32_t kerf, const PlanarPose& pose, const Wound& bone) noexcept;
+  void rub(const Stroke& stroke, const Wound& bone) noexcept;
+  void add_heat(std::int32_t kerf, const Wound& bone, const Vec2& place_mm, double joule) noexcept;
   void add_to_cell(std::int32_t kerf, std::int32_t number, double joule) noexcept;
-  bool is_bone_cell(std::int32_t kerf, std::int32_t number, const RemainingTissue& bone) noexcept;
-  void cool(std::int32_t rinsed_kerf) noexcept;
+  bool is_bone_cell(std::int32_t kerf, std::int32_t number, const Wound& bone) noexcept;
+  void cool(const KerfNumbers& rinsed_kerfs) noexcept;
   void update_cell(std::int32_t kerf, std::int32_t number, const Cooling& cooling,
                    double span_s) noexcept;
   void mark(HeatMarkKind kind, std::int32_t kerf, std::int32_t number) noexcept;
@@ -125,7 +131,6 @@ class HeatField {
   Cell& visited(std::int32_t kerf, std::int32_t number) noexcept;
 
   Blade blade_;
-  RigidTransform bone_from_world_;
   double tooth_speed_mm_s_;
   double friction_;
   /// Kerf by kerf, v running fastest.
@@ -137,7 +142,7 @@ class HeatField {
   std::array<double, group_count> since_s_{};
   /// Per group, when it was followed last.
   std::array<double, group_count> hottest_celsius_;
-  std::array<TissueMemory, tooth_count> teeth_{};
+  OfFragments<std::array<TissueMemory, tooth_count>> teeth_{};
   HeatSummary summary_;
   std::size_t next_group_ = 0;
   std::int64_t last_tick_ = -1, mark_tick_ = 0;

@@ -21,7 +21,7 @@ constexpr double slip_share = 0.999, rest_share = 0.95;
 
 double allowed_gap_mm(const BladeContact& contact) noexcept {
   if (contact.gap_mm >= 0.0) return contact.gap_mm;
-  return is_tooth(contact) ? 0.0 : std::min(0.0, contact.gap_mm + slack_mm);
+  return contact.is_tooth ? 0.0 : std::min(0.0, contact.gap_mm + slack_mm);
 }
 
 /// One search: the motion so far, and how a load at a contact changes it.
@@ -71,9 +71,9 @@ double relax(Search& search, const BladeContact& contact, double friction,
 
 /// Points that touch nothing bear nothing.
 void forget_others(ProxyLoad& load, std::span<const BladeContact> contacts) noexcept {
-  std::array<bool, contact_point_count> is_near{};
+  std::array<bool, contact_limit> is_near{};
   for (const BladeContact& contact : contacts) is_near[contact.point] = true;
-  for (std::size_t point = 0; point < contact_point_count; ++point) {
+  for (std::size_t point = 0; point < contact_limit; ++point) {
     if (is_near[point]) continue;
     load.normal_mm[point] = 0.0;
     load.tangential_mm[point] = Vec3{0.0, 0.0, 0.0};
@@ -107,7 +107,7 @@ ProxyResult solve_proxy(const ProxyMotion& wanted, std::span<const BladeContact>
     double changed_mm = 0.0;
     for (const BladeContact& contact : contacts) {
       const double most =
-          share * (is_tooth(contact) ? friction.tooth_friction : friction.static_friction);
+          share * (contact.is_tooth ? friction.tooth_friction : friction.static_friction);
       changed_mm = std::max(changed_mm, relax(search, contact, most, load));
     }
     if (changed_mm < settled_mm) break;
@@ -120,9 +120,9 @@ ProxyResult solve_proxy(const ProxyMotion& wanted, std::span<const BladeContact>
     const Vec3 tangential_mm = load.tangential_mm[contact.point];
     result.normal_mm += normal_mm;
     held_mm += tangential_mm;
-    most_mm += share * (is_tooth(contact) ? friction.tooth_friction : friction.static_friction) *
-               normal_mm;
-    if (is_tooth(contact)) result.tooth_mm += normal_mm * contact.normal + tangential_mm;
+    most_mm +=
+        share * (contact.is_tooth ? friction.tooth_friction : friction.static_friction) * normal_mm;
+    if (contact.is_tooth) result.tooth_mm += normal_mm * contact.normal + tangential_mm;
   }
   const double limit = load.slides ? rest_share : slip_share;
   load.slides = result.normal_mm > 0.0 && length_of(held_mm) >= limit * most_mm;

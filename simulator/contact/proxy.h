@@ -38,8 +38,8 @@ struct ProxyFriction {
 /// What each point of the blade bears [mm of stretch], kept from tick to tick: the search goes on
 /// from there.
 struct ProxyLoad {
-  std::array<double, contact_point_count> normal_mm{};
-  std::array<Vec3, contact_point_count> tangential_mm{};
+  std::array<double, contact_limit> normal_mm{};
+  std::array<Vec3, contact_limit> tangential_mm{};
   bool slides = false;
 };
 

@@ -9,6 +9,20 @@ namespace {
 /// Thicker than any bone: without a law all of it is cortical.
 constexpr double all_cortical_mm = 1.0e6;
 
+/// By parity where it must be asked: a sawn body's mesh has slivers, near which the sign of its
+/// distance can be wrong.
+bool is_in_part(const Bvh& part, const Vec3& point_mm, TissueMemory& memory) noexcept {
+  const double moved_mm = length_of(point_mm - memory.part_asked_mm);
+  if (!memory.knows_part || !(std::abs(memory.part_mm) > moved_mm)) {
+    const bool is_inside = part.contains(point_mm);
+    const double distance_mm = std::abs(part.signed_distance_mm(point_mm));
+    memory.part_mm = is_inside ? -distance_mm : distance_mm;
+    memory.part_asked_mm = point_mm;
+    memory.knows_part = true;
+  }
+  return memory.part_mm < 0.0;
+}
+
 }  // namespace
 
 TissueMap::TissueMap(const Bone& bone) : outer_(bone.outer), cortex_(bone.cortex) {
@@ -53,6 +67,7 @@ bool TissueMap::is_marrow(const Vec3& point_in_bone_mm, TissueMemory& memory) co
 
 Tissue RemainingTissue::at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept {
   if (kerfs.is_open(point_in_bone_mm)) return Tissue::None;
+  if (part != nullptr && !is_in_part(*part, point_in_bone_mm, memory)) return Tissue::None;
   const Tissue tissue = original.at(point_in_bone_mm, memory);
   const bool is_gone = tissue != Tissue::None && remaining().is_taken_out(point_in_bone_mm);
   return is_gone ? Tissue::None : tissue;

@@ -18,12 +18,14 @@ enum class Tissue : std::uint8_t { None, Marrow, Cancellous, Cortical };
 /// What was asked near a point before: distances change by no more than the way since, so most
 /// answers need no search. Part of the state of whoever asks; the answers are the same without it.
 struct TissueMemory {
-  Vec3 outer_asked_mm{0.0, 0.0, 0.0}, canal_asked_mm{0.0, 0.0, 0.0};
+  Vec3 outer_asked_mm{0.0, 0.0, 0.0}, canal_asked_mm{0.0, 0.0, 0.0}, part_asked_mm{0.0, 0.0, 0.0};
   /// To the outer surface, at outer_asked_mm.
   double clearance_mm = 0.0;
   /// To the canal's wall, above 0 in the marrow, at canal_asked_mm.
   double canal_mm = 0.0;
-  bool knows_outer = false, knows_canal = false;
+  /// To the surface of the part, negative inside, at part_asked_mm.
+  double part_mm = 0.0;
+  bool knows_outer = false, knows_canal = false, knows_part = false;
 };
 
 /// The tissues of the original bone. Always asked of the original surface: a cut face is not
@@ -51,18 +53,26 @@ class TissueMap {
   std::optional<CortexLaw> cortex_;
 };
 
-/// What still stands: the original bone outside every open kerf and every piece taken out. Borrows
-/// all it names.
+/// What still stands of one fragment: the original bone, or the part of it that the fragment is,
+/// outside every open kerf and every piece taken out. Borrows all it names.
 struct RemainingTissue {
   const TissueMap& original;
-  const KerfSet& kerfs;
+  FragmentKerfs kerfs;
   std::span<const Bvh* const> removed_pieces;
+  /// Null where the fragment is all of the original.
+  const Bvh* part = nullptr;
 
   /// thread  haptic; allocates nothing
   Tissue at(const Vec3& point_in_bone_mm) const noexcept;
   Tissue at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept;
+  /// The outer surface as it was before these kerfs.
+  const Bvh& surface() const noexcept { return part == nullptr ? original.surface() : *part; }
+  /// Distance to that surface, negative inside [mm].
+  double clearance_mm(const Vec3& point_in_bone_mm) const noexcept {
+    return surface().signed_distance_mm(point_in_bone_mm);
+  }
   /// The same bone for questions about its surface.
-  RemainingBone remaining() const noexcept { return {original.surface(), kerfs, removed_pieces}; }
+  RemainingBone remaining() const noexcept { return {surface(), kerfs, removed_pieces}; }
 };
 
 constexpr bool is_bone(Tissue tissue) noexcept {

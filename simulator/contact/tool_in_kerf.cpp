@@ -56,7 +56,7 @@ struct Push {
 /// Advances along the tool's x: freely until the teeth stand on bone, then by the feed law of the
 /// whole push.
 double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& input,
-            const RemainingTissue& bone, const ContactSettings& settings, TeethMemory& teeth,
+            const Wound& bone, const ContactSettings& settings, OfFragments<TeethMemory>& teeth,
             ToolOutcome& outcome) noexcept {
   const Vec3 ahead = axis_x(bone_from_tool);
   const double free_mm = std::min({push.wanted_mm, push.travel_limit_mm, push.room_mm});
@@ -201,10 +201,11 @@ Steps steps_of(double way, double step, double limit) noexcept {
 /// Turns the blade towards the wanted direction, step by step, until an edge or the teeth would
 /// meet bone.
 void turn_aside(PlanarPose& planar, const Vec2& wanted, double travel_limit_mm,
-                const KerfPlane& plane, const RemainingTissue& bone, TeethMemory& teeth) noexcept {
+                const KerfPlane& plane, const Wound& bone,
+                OfFragments<TeethMemory>& teeth) noexcept {
   const double turn = cross(planar.direction, wanted);
   if (std::abs(turn) < turn_worth_asking) return;
-  const double depth_mm = bone.kerfs.blade().depth_mm;
+  const double depth_mm = bone.blade().depth_mm;
   const auto [steps, share] =
       steps_of(std::abs(turn), walk_step_mm / depth_mm, travel_limit_mm / depth_mm);
   const Vec2 from = planar.direction;
@@ -223,7 +224,7 @@ void turn_aside(PlanarPose& planar, const Vec2& wanted, double travel_limit_mm,
 
 /// Shifts the blade along its tooth line, step by step, until the edge in front would meet bone.
 void shift_aside(PlanarPose& planar, const Vec2& wanted_tip_mm, double travel_limit_mm,
-                 const KerfPlane& plane, const RemainingTissue& bone) noexcept {
+                 const KerfPlane& plane, const Wound& bone) noexcept {
   const Vec2 along{-planar.direction.y, planar.direction.x};
   const double shift_mm = glm::dot(wanted_tip_mm - planar.tip_mm, along);
   if (std::abs(shift_mm) < shift_worth_asking_mm) return;
@@ -240,27 +241,32 @@ void shift_aside(PlanarPose& planar, const Vec2& wanted_tip_mm, double travel_li
 
 /// A way that the blade may go at least before its collar, thicker than a kerf, stands on the
 /// original surface; asked anew where that is below `enough_mm`.
-double collar_room_mm(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
-                      double enough_mm, CollarMemory& memory) noexcept {
-  const Blade& blade = bone.kerfs.blade();
-  double room_mm = std::numeric_limits<double>::infinity(), side = -0.5;
-  for (SurfaceMemory& known : memory) {
-    const Vec3 point_mm =
-        transform_point(bone_from_tool, Vec3{-blade.depth_mm, side * blade.width_mm, 0.0});
-    double least_mm = known.clearance_mm - length_of(point_mm - known.asked_mm);
-    if (!known.is_known || least_mm < enough_mm) {
-      least_mm = bone.original.clearance_mm(point_mm);
-      known = {point_mm, least_mm, true};
+double collar_room_mm(const RigidTransform& bone_from_tool, const Wound& bone, double enough_mm,
+                      OfFragments<CollarMemory>& memories) noexcept {
+  const Blade& blade = bone.blade();
+  double room_mm = std::numeric_limits<double>::infinity();
+  const auto ask = [&](std::int32_t number, const WoundFragment& standing) {
+    const RigidTransform fragment_from_tool = standing.fragment_from(bone_from_tool);
+    double side = -0.5;
+    for (SurfaceMemory& known : memories[static_cast<std::size_t>(number)]) {
+      const Vec3 point_mm =
+          transform_point(fragment_from_tool, Vec3{-blade.depth_mm, side * blade.width_mm, 0.0});
+      double least_mm = known.clearance_mm - length_of(point_mm - known.asked_mm);
+      if (!known.is_known || least_mm < enough_mm) {
+        least_mm = standing.tissue.clearance_mm(point_mm);
+        known = {point_mm, least_mm, true};
+      }
+      room_mm = std::min(room_mm, std::max(0.0, least_mm));
+      side += 0.5;
     }
-    room_mm = std::min(room_mm, std::max(0.0, least_mm));
-    side += 0.5;
-  }
+  };
+  bone.visit_near(bone_from_tool.translation_mm, reach_of_blade_mm(blade), ask);
   return room_mm;
 }
 
-bool teeth_are_outside(const RigidTransform& bone_from_tool, const RemainingTissue& bone) noexcept {
-  for (const Vec3& point : tooth_points(bone_from_tool, bone.kerfs.blade(), 0.0)) {
-    if (bone.original.clearance_mm(point) <= 0.0) return false;
+bool teeth_are_outside(const RigidTransform& bone_from_tool, const Wound& bone) noexcept {
+  for (const Vec3& point : tooth_points(bone_from_tool, bone.blade(), 0.0)) {
+    if (bone.clearance_mm(point) <= 0.0) return false;
   }
   return true;
 }
@@ -269,7 +275,7 @@ bool teeth_are_outside(const RigidTransform& bone_from_tool, const RemainingTiss
 /// last tooth in bone need not be the last within the bone: beside an earlier stroke the others
 /// still stand in its kerf, deeper where the bone is.
 bool breaks_through(ToolState& tool, bool is_engaged, double ahead_mm,
-                    const RigidTransform& bone_from_flat, const RemainingTissue& bone) noexcept {
+                    const RigidTransform& bone_from_flat, const Wound& bone) noexcept {
   if (is_engaged) {
     tool.may_break_through = true;
     tool.drawn_back_mm = 0.0;
@@ -287,28 +293,49 @@ bool breaks_through(ToolState& tool, bool is_engaged, double ahead_mm,
 
 /// Teeth that stand over what the blade has swept in the kerf's plane, in bone or in the air before
 /// it: a hand lays the blade back into the line of its cut, also where the bone begins deeper.
-std::int32_t teeth_over_slot(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
+std::int32_t teeth_over_slot(const RigidTransform& fragment_from_tool, const KerfSet& kerfs,
                              std::int32_t kerf) noexcept {
-  const KerfPlane& plane = bone.kerfs.plane(kerf);
-  const RigidTransform flat = flat_pose(plane, planar_pose(plane, bone_from_tool));
+  const KerfPlane& plane = kerfs.plane(kerf);
+  const RigidTransform flat = flat_pose(plane, planar_pose(plane, fragment_from_tool));
   std::int32_t count = 0;
-  for (const Vec3& point : tooth_points(flat, bone.kerfs.blade(), 0.0)) {
-    const Vec3 local = transform_point(bone.kerfs.kerf_from_bone(kerf), point);
-    if (bone.kerfs.field(kerf).is_open(Vec2{local.x, local.y})) ++count;
+  for (const Vec3& point : tooth_points(flat, kerfs.blade(), 0.0)) {
+    const Vec3 local = transform_point(kerfs.kerf_from_bone(kerf), point);
+    if (kerfs.field(kerf).is_open(Vec2{local.x, local.y})) ++count;
   }
   return count;
 }
 
+/// The kerf of one fragment that a pose in its frame may use again, or -1.
+std::int32_t kerf_to_join(const RigidTransform& fragment_from_tool, const FragmentKerfs& kerfs,
+                          const ContactSettings& settings) noexcept {
+  for (const std::int32_t kerf : kerfs) {
+    const RigidTransform kerf_from_tool = kerfs.kerf_from_bone(kerf) * fragment_from_tool;
+    const Vec3 normal = axis_z(kerf_from_tool);
+    const double tilt_sine = length_of(Vec2{normal.x, normal.y});
+    const double offset_mm = std::abs(kerf_from_tool.translation_mm.z);
+    if (normal.z <= 0.0 || tilt_sine > settings.capture_angle_rad) continue;
+    if (tilt_sine <= settings.rejoin_angle_rad && offset_mm <= settings.rejoin_offset_mm)
+      return kerf;
+    if (offset_mm > 0.5 * kerfs.blade().kerf_mm + settings.capture_offset_mm) continue;
+    if (teeth_over_slot(fragment_from_tool, kerfs.all(), kerf) >= settings.capture_teeth)
+      return kerf;
+  }
+  return -1;
+}
+
 }  // namespace
 
-void move_in_kerf(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
+void move_in_kerf(ToolState& tool, const ToolInput& input, const Wound& bone,
                   const ContactSettings& settings, double travel_limit_mm,
                   ToolOutcome& outcome) noexcept {
-  const KerfPlane& plane = bone.kerfs.plane(tool.kerf);
+  const WoundFragment& standing = bone.fragment_of_kerf(tool.kerf);
+  const KerfPlane plane = bone.plane(tool.kerf);
+  const RigidTransform& kerf_from_fragment = bone.kerfs().kerf_from_bone(tool.kerf);
   const RigidTransform kerf_from_handle =
-      bone.kerfs.kerf_from_bone(tool.kerf) * input.bone_from_handle;
+      kerf_from_fragment * standing.fragment_from(input.bone_from_handle);
   PlanarPose planar = planar_pose(plane, tool.bone_from_tool);
-  const Bend bend = deviation(planar, bone.kerfs.kerf_from_bone(tool.kerf) * tool.bone_from_tool);
+  const Bend bend =
+      deviation(planar, kerf_from_fragment * standing.fragment_from(tool.bone_from_tool));
   const PlanarPose wanted = wanted_in_plane(plane, input.bone_from_handle, planar);
   const double held_mm = held_aside_mm(kerf_from_handle.translation_mm.z, settings);
   const double push_mm = std::abs(held_mm - bent_aside_mm(held_mm, settings));
@@ -328,8 +355,8 @@ void move_in_kerf(ToolState& tool, const ToolInput& input, const RemainingTissue
   planar.tip_mm += fed_mm * planar.direction;
   const Bend wanted_bend = bend_under(deviation(planar, kerf_from_handle), settings);
   tool.bone_from_tool =
-      plane.bone_from_kerf * bent_pose(planar, bent_towards(bend, wanted_bend, travel_limit_mm,
-                                                            bone.kerfs.blade().depth_mm));
+      plane.bone_from_kerf *
+      bent_pose(planar, bent_towards(bend, wanted_bend, travel_limit_mm, bone.blade().depth_mm));
 
   outcome.broke_through = breaks_through(tool, outcome.engaged.width_mm() > 0.0, fed_mm,
                                          flat_pose(plane, planar), bone);
@@ -340,20 +367,16 @@ void move_in_kerf(ToolState& tool, const ToolInput& input, const RemainingTissue
   }
 }
 
-std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
+std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const Wound& bone,
                                const ContactSettings& settings) noexcept {
-  for (std::int32_t kerf = 0; kerf < bone.kerfs.count(); ++kerf) {
-    const RigidTransform kerf_from_tool = bone.kerfs.kerf_from_bone(kerf) * bone_from_tool;
-    const Vec3 normal = axis_z(kerf_from_tool);
-    const double tilt_sine = length_of(Vec2{normal.x, normal.y});
-    const double offset_mm = std::abs(kerf_from_tool.translation_mm.z);
-    if (normal.z <= 0.0 || tilt_sine > settings.capture_angle_rad) continue;
-    if (tilt_sine <= settings.rejoin_angle_rad && offset_mm <= settings.rejoin_offset_mm)
-      return kerf;
-    if (offset_mm > 0.5 * bone.kerfs.blade().kerf_mm + settings.capture_offset_mm) continue;
-    if (teeth_over_slot(bone_from_tool, bone, kerf) >= settings.capture_teeth) return kerf;
-  }
-  return -1;
+  std::int32_t kerf = -1;
+  bone.visit_near(bone_from_tool.translation_mm, reach_of_blade_mm(bone.blade()),
+                  [&](std::int32_t, const WoundFragment& standing) {
+                    if (kerf >= 0) return;
+                    kerf = kerf_to_join(standing.fragment_from(bone_from_tool),
+                                        standing.tissue.kerfs, settings);
+                  });
+  return kerf;
 }
 
 void enter_kerf(ToolState& tool, std::int32_t kerf) noexcept {

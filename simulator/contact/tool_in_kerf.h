@@ -9,7 +9,7 @@ namespace hallux::simulator {
 
 /// Moves the tool along the kerf's plane; through air, open kerf and aside by at most
 /// `travel_limit_mm`.
-void move_in_kerf(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
+void move_in_kerf(ToolState& tool, const ToolInput& input, const Wound& bone,
                   const ContactSettings& settings, double travel_limit_mm,
                   ToolOutcome& outcome) noexcept;
 

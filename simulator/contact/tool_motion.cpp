@@ -77,7 +77,7 @@ void guide_hand(ToolState& tool, const ToolInput& input, const ContactSettings& 
 }
 
 /// Why the saw kicks in this tick; `side` becomes the one to which it does.
-KickCause cause_of_kick(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
+KickCause cause_of_kick(ToolState& tool, const ToolInput& input, const Wound& bone,
                         const ContactSettings& settings, const ToolOutcome& outcome,
                         double& side) noexcept {
   if (!input.saw_runs) return KickCause::None;
@@ -90,12 +90,12 @@ KickCause cause_of_kick(ToolState& tool, const ToolInput& input, const Remaining
   const auto teeth =
       tissue_at_teeth(tool.bone_from_tool, bone, settings.freeze_depth_mm, tool.teeth);
   side = side_away_from(teeth);
-  const double tooth_mm = bone.kerfs.blade().width_mm / static_cast<double>(tooth_count);
+  const double tooth_mm = bone.blade().width_mm / static_cast<double>(tooth_count);
   return is_corner(teeth, tooth_mm) ? KickCause::Corner : KickCause::None;
 }
 
 /// What the teeth's reaction adds to it.
-void kick_hand(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
+void kick_hand(ToolState& tool, const ToolInput& input, const Wound& bone,
                const ContactSettings& settings, ToolOutcome& outcome) noexcept {
   double side = 1.0;
   const KickCause cause = cause_of_kick(tool, input, bone, settings, outcome, side);
@@ -108,10 +108,10 @@ void kick_hand(ToolState& tool, const ToolInput& input, const RemainingTissue& b
 
 }  // namespace
 
-ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
+ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const Wound& bone,
                       const ContactSettings& settings) noexcept {
   ToolOutcome outcome;
-  const double limit_mm = travel_limit_mm(tool, input, bone.kerfs.blade(), settings);
+  const double limit_mm = travel_limit_mm(tool, input, bone.blade(), settings);
   if (tool.stage == ToolStage::InKerf) {
     move_in_kerf(tool, input, bone, settings, limit_mm, outcome);
   } else {

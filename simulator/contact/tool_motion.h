@@ -23,7 +23,7 @@
 #include "simulator/contact/guide.h"
 #include "simulator/contact/kick.h"
 #include "simulator/contact/proxy.h"
-#include "simulator/contact/tissue.h"
+#include "simulator/contact/wound.h"
 #include "simulator/tool/saw.h"
 
 namespace hallux::simulator {
@@ -100,9 +100,9 @@ struct ToolState {
   /// Of the last tick.
   RigidTransform bone_from_handle;
   bool knows_handle = false;
-  TeethMemory teeth{};
-  BladeMemory points{};
-  CollarMemory collar{};
+  OfFragments<TeethMemory> teeth{};
+  OfFragments<BladeMemory> points{};
+  OfFragments<CollarMemory> collar{};
   ProxyLoad load;
   KickState kick;
   /// How long the guide at hand has led it.
@@ -144,12 +144,12 @@ struct ToolOutcome {
 /// needs   0 < duration_s <= 0.003
 /// errors  none: total, allocates nothing
 /// thread  haptic
-ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
+ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const Wound& bone,
                       const ContactSettings& settings) noexcept;
 
 /// The kerf whose plane this pose may use again, or -1: the same plane within rejoin limits, or
 /// enough teeth over what was swept there within capture limits.
-std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const RemainingTissue& bone,
+std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const Wound& bone,
                                const ContactSettings& settings) noexcept;
 
 /// Holds the tool to a kerf's plane from now on; it comes there gently.

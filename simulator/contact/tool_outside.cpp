@@ -42,7 +42,7 @@ struct Walk {
 double lifted_mm(const BladeContacts& contacts, const ProxyMotion& motion) noexcept {
   double least_mm = 1.0e6;
   for (const BladeContact& contact : contacts.all()) {
-    if (!is_tooth(contact) || contact.gap_mm > on_surface_mm) continue;
+    if (!contact.is_tooth || contact.gap_mm > on_surface_mm) continue;
     least_mm = std::min(least_mm, glm::dot(contact.normal, motion_at(motion, contact)));
   }
   return least_mm < 1.0e6 ? std::max(0.0, least_mm) : 0.0;
@@ -55,13 +55,13 @@ void move_contacts(BladeContacts& contacts, const ProxyMotion& motion) noexcept 
   }
 }
 
-Walk walk(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
+Walk walk(ToolState& tool, const ToolInput& input, const Wound& bone,
           const ContactSettings& settings, double travel_limit_mm) noexcept {
   const double grip_mm =
       std::sqrt(settings.torsion_newton_mm_per_rad / settings.coupling_newton_per_mm);
   const ProxyFriction friction{settings.friction, settings.kinetic_ratio,
                                input.saw_runs ? settings.tooth_friction : settings.friction};
-  const Blade& blade = bone.kerfs.blade();
+  const Blade& blade = bone.blade();
   Walk walked;
   double left_mm = travel_limit_mm;
   for (int part = 0; part < part_limit; ++part) {
@@ -91,7 +91,7 @@ double room_ahead_mm(const BladeContacts& contacts, const Vec3& ahead, double wa
   double room_mm = wanted_mm;
   for (const BladeContact& contact : contacts.all()) {
     const double toward = -glm::dot(contact.normal, ahead);
-    if (is_tooth(contact) || !(toward > 0.0)) continue;
+    if (contact.is_tooth || !(toward > 0.0)) continue;
     room_mm = std::min(room_mm, std::max(0.0, contact.gap_mm) / toward);
   }
   return room_mm;
@@ -116,7 +116,7 @@ double feed_touch(ToolState& tool, const ToolInput& input, const Walk& walked,
 bool teeth_are_clear(const BladeContacts& contacts) noexcept {
   return std::none_of(
       contacts.all().begin(), contacts.all().end(),
-      [](const BladeContact& contact) { return is_tooth(contact) && contact.gap_mm <= leave_mm; });
+      [](const BladeContact& contact) { return contact.is_tooth && contact.gap_mm <= leave_mm; });
 }
 
 void begin_touch(ToolState& tool, ToolOutcome& outcome) noexcept {
@@ -146,14 +146,14 @@ double reach_of(const ProxyMotion& motion, const Blade& blade) noexcept {
   return length_of(motion.translation_mm) + blade.depth_mm * length_of(motion.rotation_rad);
 }
 
-void move_outside(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
+void move_outside(ToolState& tool, const ToolInput& input, const Wound& bone,
                   const ContactSettings& settings, double travel_limit_mm,
                   ToolOutcome& outcome) noexcept {
   const Walk walked = walk(tool, input, bone, settings, travel_limit_mm);
   outcome.engaged = engagement(tool.bone_from_tool, bone, probe_ahead_mm, tool.teeth);
   const bool is_pushed = walked.proxy.normal_mm > 0.0 || tool.stage == ToolStage::Touching;
   const ProxyMotion left = motion_between(tool.bone_from_tool, input.bone_from_handle);
-  tool.is_held = is_pushed || (tool.is_held && reach_of(left, bone.kerfs.blade()) > slack_mm);
+  tool.is_held = is_pushed || (tool.is_held && reach_of(left, bone.blade()) > slack_mm);
   if (tool.stage == ToolStage::Touching) {
     go_on_touching(tool, input, walked, settings, outcome);
   } else if (outcome.engaged.width_mm() > 0.0) {

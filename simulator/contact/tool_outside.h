@@ -12,7 +12,7 @@ namespace hallux::simulator {
 double reach_of(const ProxyMotion& motion, const Blade& blade) noexcept;
 
 /// Moves the tool by at most `travel_limit_mm`. In Touching running teeth are fed into the bone.
-void move_outside(ToolState& tool, const ToolInput& input, const RemainingTissue& bone,
+void move_outside(ToolState& tool, const ToolInput& input, const Wound& bone,
                   const ContactSettings& settings, double travel_limit_mm,
                   ToolOutcome& outcome) noexcept;
 

@@ -37,16 +37,15 @@ AttemptGeometry::AttemptGeometry(const BoneToCut& bone, const Blade& blade,
     : kerfs_(blade, bone.world_from_bone), bridge_(bridge), bone_(bone.whole) {}
 
 void AttemptGeometry::apply(const CutEvent& event) {
-  if (event.kind == CutEventKind::PlaneFrozen) {
-    CHECK(kerfs_.freeze(event.pose) == event.subject);
-    has_risen_.push_back(1);
-  }
+  CHECK(kerfs_.apply(event));
+  if (event.kind == CutEventKind::PlaneFrozen) has_risen_.push_back(1);
   if (event.kind == CutEventKind::PieceRemoved) bone_.take_out(event.subject);
 }
 
 void AttemptGeometry::apply(const ToolSample& sample) {
-  if (kerfs_.apply(sample).is_empty()) return;
-  has_risen_[static_cast<std::size_t>(sample.kerf)] = 1;
+  for (const RisenKerf& risen : kerfs_.apply(sample)) {
+    has_risen_[static_cast<std::size_t>(risen.kerf)] = 1;
+  }
 }
 
 void AttemptGeometry::bring_up_to_date() {

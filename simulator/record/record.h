@@ -76,10 +76,15 @@ enum class CommandKind : std::int32_t {
   /// Argument: job id; detail: tick of the state it was computed from.
   ApplyJob = 7,
   Abandon = 8,
-  /// Turn the bone about the bridge that the cuts have left, until the wedge is closed.
+  /// Turn the bone about the bridge that the cuts have left, until the wedge is closed. Argument:
+  /// which hinge of the operation.
   CloseHinge = 9,
   /// Argument: index of an operation step that was declared done and is at hand again.
-  ReopenStep = 10
+  ReopenStep = 10,
+  /// The forceps take hold of a piece. Argument: as PickUp.
+  Grip = 11,
+  /// The forceps let go.
+  Release = 12
 };
 
 /// A decision applied at a tick: of the operator, the loop, or a job that is ready.
@@ -152,7 +157,8 @@ enum class CutEventKind : std::int32_t {
   Scratch = 2,
   /// First touch of a stroke.
   Contact = 3,
-  /// Subject: kerf; pose: bone_from_tool at freezing.
+  /// Subject: kerf; value: the fragment that it is in; pose: fragment_from_tool at freezing. Where
+  /// the blade stands in a kerf of another fragment, the sample before says so: both are one cut.
   PlaneFrozen = 4,
   /// Subject: kerf; the contact job was applied; value: section area [um2 / 1000].
   SectionKnown = 5,
@@ -176,7 +182,8 @@ enum class CutEventKind : std::int32_t {
   Abandoned = 15,
   /// The touch asked for more kerfs than an attempt may have.
   KerfRefused = 16,
-  /// Value: angle [urad]; pose: bone_from_moved, of the half that turned.
+  /// Subject: the hinge, in the operation's order (-1 up to engine 7); value: angle [urad]; pose:
+  /// bone_from_moved, of the half that turned.
   HingeClosed = 17,
   /// Subject: why (HingeOutcome: 1 broken, 2 stiff, 3 nothing to close); value: bridge [um].
   HingeRefused = 18,
@@ -194,7 +201,16 @@ enum class CutEventKind : std::int32_t {
   /// s].
   Kick = 23,
   /// Subject: operation step.
-  StepReopened = 24
+  StepReopened = 24,
+  /// Subject: the piece that is a fragment from now on, with the next number; value: the fragment
+  /// that it was a part of.
+  FragmentParted = 25,
+  /// Subject: fragment; pose: bone_from_fragment.
+  Gripped = 26,
+  /// Subject: fragment; pose: bone_from_fragment, where it lies from now on.
+  Released = 27,
+  /// Subject: why (GripRefusal); value: the piece that was asked for.
+  GripRefused = 28
 };
 
 /// Something that happened once, at the end of one tick.
@@ -203,8 +219,9 @@ struct CutEvent {
   CutEventKind kind = CutEventKind::Started;
   std::int32_t subject = -1;
   std::int64_t value = 0;
-  /// bone_from_tool for cutting and danger events, bone_from_moved for HingeClosed, bone_from_place
-  /// (in the kerf's axes) for heat, the point of a piece for pieces, identity otherwise.
+  /// bone_from_tool for cutting and danger events, bone_from_moved for HingeClosed and fragments,
+  /// bone_from_place (in the kerf's axes) for heat, the point of a piece for pieces, identity
+  /// otherwise.
   QuantisedPose pose;
 
   friend bool operator==(const CutEvent&, const CutEvent&) = default;

@@ -139,6 +139,8 @@ void Simulation::apply(const Command& command, StepOutput& output) noexcept {
     case CommandKind::Abandon:
       end(CutEventKind::Abandoned, output);
       break;
+    case CommandKind::Grip:
+    case CommandKind::Release:
     case CommandKind::ApplyJob:
       break;
   }
@@ -271,8 +273,8 @@ void Simulation::move(const TapeLine& line, StepOutput& output) noexcept {
       transform_direction(world_from_bone_, outcome.torque_in_bone_newton_mm);
   // What is recorded is what cuts: the field follows the rounded pose. The tool itself goes on
   // unrounded, else a feed below half a micrometre a tick would stand still.
-  const FieldWindow opened = kerfs_.apply(output.sample);
-  piece_requests_.watch({kerf_before, kerf_of_tool(), !opened.is_empty(), outcome.broke_through});
+  const bool has_opened = !kerfs_.apply(output.sample).empty();
+  piece_requests_.watch({kerf_before, kerf_of_tool(), has_opened, outcome.broke_through});
   if (!output.requests.is_full() && piece_requests_.ask()) {
     ask(JobKind::Pieces, piece_requests_.last_opened(), output);
   }

@@ -113,7 +113,7 @@ class Simulation {
   std::int32_t kerf_of_tool() const noexcept {
     return tool_.stage == ToolStage::InKerf ? tool_.kerf : -1;
   }
-  RemainingTissue standing() const noexcept { return {tissue_, kerfs_, pieces_.removed()}; }
+  Wound standing() const noexcept { return RemainingTissue{tissue_, kerfs_, pieces_.removed()}; }
 
   const TissueMap& tissue_;
   RigidTransform world_from_bone_, bone_from_world_;

@@ -23,10 +23,10 @@ ToolEffects::ToolEffects(const RigidTransform& world_from_bone, const SawInHand&
     : bone_from_world_(inverse(world_from_bone)),
       blade_(hand.saw.blade),
       is_guided_(hand.is_guided),
-      heat_(hand.saw, world_from_bone),
+      heat_(hand.saw),
       danger_(world_from_bone, hand.saw.blade, watched(danger_zones)) {}
 
-void ToolEffects::apply(const ToolSample& sample, const RemainingTissue& bone) noexcept {
+void ToolEffects::apply(const ToolSample& sample, const Wound& bone) noexcept {
   tick_ = sample.tick;
   bone_from_tool_ = quantise(bone_from_world_ * transform_from(sample.world_from_tool));
   heat_.apply(sample, bone);
@@ -34,15 +34,14 @@ void ToolEffects::apply(const ToolSample& sample, const RemainingTissue& bone) n
   bend(sample, bone);
 }
 
-void ToolEffects::bend(const ToolSample& sample, const RemainingTissue& bone) noexcept {
+void ToolEffects::bend(const ToolSample& sample, const Wound& bone) noexcept {
   const bool tells_of_bend = !is_guided_ || has(sample.status, ToolStatus::InKerf);
   if (!has(sample.status, ToolStatus::InContact) || !tells_of_bend) {
     flex_ = {};
     return;
   }
   if (flex_.free_length_mm <= 0.0 || sample.tick % ticks_per_length == 0) {
-    flex_.free_length_mm =
-        free_length_mm(transform_from(bone_from_tool_), blade_.depth_mm, bone.original);
+    flex_.free_length_mm = free_length_mm(transform_from(bone_from_tool_), blade_.depth_mm, bone);
   }
   const Vec3 normal = axis_z(transform_from(sample.world_from_tool));
   flex_.deflection_mm = deflection_mm({flex_.free_length_mm, blade_.width_mm, blade_.thickness_mm},

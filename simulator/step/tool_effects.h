@@ -38,7 +38,7 @@ class ToolEffects {
 
   /// needs   samples in their order; `bone` as it stands after the sample
   /// thread  haptic; allocates nothing
-  void apply(const ToolSample& sample, const RemainingTissue& bone) noexcept;
+  void apply(const ToolSample& sample, const Wound& bone) noexcept;
   /// The next thing that happened; danger first.
   bool take_event(const KerfSet& kerfs, CutEvent& event) noexcept;
 
@@ -47,7 +47,7 @@ class ToolEffects {
   const BladeFlex& flex() const noexcept { return flex_; }
 
  private:
-  void bend(const ToolSample& sample, const RemainingTissue& bone) noexcept;
+  void bend(const ToolSample& sample, const Wound& bone) noexcept;
 
   RigidTransform bone_from_world_;
   Blade blade_;

@@ -37,11 +37,12 @@ struct RemainingPoint {
   std::int32_t kerf = -1;
 };
 
-/// Borrows all it names. All questions: total, without allocation, bounded by the trees and the
-/// fields.
+/// Of one fragment. Borrows all it names. All questions: total, without allocation, bounded by the
+/// trees and the fields.
 struct RemainingBone {
+  /// The outer surface as it was before these kerfs.
   const Bvh& original;
-  const KerfSet& kerfs;
+  FragmentKerfs kerfs;
   /// Bodies that kerfs cut free, in the frame of the bone.
   std::span<const Bvh* const> taken_out;
 

@@ -34,8 +34,8 @@ Vec2 closest_on_segment(const RimSegment& segment, const Vec2& place_mm) noexcep
 
 RemainingSearch::RemainingSearch(const RemainingBone& bone, const Vec3& point_mm,
                                  double within_mm) noexcept
-    : bone_(bone), point_mm_(point_mm), within_mm_(within_mm) {
-  for (std::int32_t kerf = 0; kerf < bone.kerfs.count(); ++kerf) {
+    : bone_(bone), kerfs_(bone.kerfs.numbers()), point_mm_(point_mm), within_mm_(within_mm) {
+  for (const std::int32_t kerf : kerfs_) {
     const KerfPlane& plane = bone.kerfs.plane(kerf);
     Slab& slab = slabs_[static_cast<std::size_t>(kerf)];
     slab.axis_x = axis_x(plane.bone_from_kerf);
@@ -51,7 +51,6 @@ RemainingSearch::RemainingSearch(const RemainingBone& bone, const Vec3& point_mm
 /// may be far and takes long to find: it comes last, and is looked for only as far as the best so
 /// far.
 std::optional<RemainingPoint> RemainingSearch::run() noexcept {
-  const std::int32_t kerfs = bone_.kerfs.count();
   if (!bone_.original.contains(point_mm_)) {
     const std::optional<NearestPoint> skin = bone_.original.nearest(point_mm_, within_mm_);
     if (!skin) return std::nullopt;
@@ -61,11 +60,13 @@ std::optional<RemainingPoint> RemainingSearch::run() noexcept {
     try_skin();
     if (is_nearest) return best_;
   }
-  for (std::int32_t kerf = 0; kerf < kerfs; ++kerf) try_walls(kerf);
-  for (std::int32_t kerf = 0; kerf < kerfs; ++kerf) {
-    for (std::int32_t other = kerf + 1; other < kerfs; ++other) try_lines(kerf, other);
+  for (const std::int32_t kerf : kerfs_) try_walls(kerf);
+  for (const std::int32_t kerf : kerfs_) {
+    for (const std::int32_t other : kerfs_) {
+      if (other > kerf) try_lines(kerf, other);
+    }
   }
-  for (std::int32_t kerf = 0; kerf < kerfs; ++kerf) try_rim(kerf);
+  for (const std::int32_t kerf : kerfs_) try_rim(kerf);
   if (barren_[0].radius_mm == 0.0) try_skin();
   return best_;
 }
@@ -79,7 +80,7 @@ bool RemainingSearch::is_open(std::int32_t kerf, const Vec3& point_mm,
 
 bool RemainingSearch::is_open_elsewhere(std::int32_t but_kerf,
                                         const Vec3& point_mm) const noexcept {
-  for (std::int32_t kerf = 0; kerf < bone_.kerfs.count(); ++kerf) {
+  for (const std::int32_t kerf : kerfs_) {
     if (kerf != but_kerf && is_open(kerf, point_mm, in_slab_mm)) return true;
   }
   return false;
@@ -145,26 +146,27 @@ void RemainingSearch::try_triangle(const NearTriangle& found) noexcept {
   }
   Polygon whole;
   for (const Vec3& corner : found.corner_mm) whole.corner_mm[whole.count++] = corner;
-  try_polygon(whole, 0, found);
+  try_polygon(whole, kerfs_.begin(), found);
 }
 
 /// Divides the polygon by the planes of one kerf after the other. Where the nearest point of a part
 /// in a slab is open, the rest of that part is nearest on the rim.
-void RemainingSearch::try_polygon(const Polygon& polygon, std::int32_t kerf,
+void RemainingSearch::try_polygon(const Polygon& polygon, KerfNumbers::Iterator kerf,
                                   const NearTriangle& of) noexcept {
   if (polygon.count < 3) return;
-  if (kerf < bone_.kerfs.count()) {
-    const Slab& at = slab(kerf);
+  if (kerf != KerfNumbers::end()) {
+    const Slab& at = slab(*kerf);
+    ++kerf;
     double low = at.height_mm(polygon.corner_mm[0]), high = low;
     for (std::size_t i = 1; i < polygon.count; ++i) {
       low = std::min(low, at.height_mm(polygon.corner_mm[i]));
       high = std::max(high, at.height_mm(polygon.corner_mm[i]));
     }
-    if (low >= at.half_mm || high <= -at.half_mm) return try_polygon(polygon, kerf + 1, of);
-    try_polygon(clipped(polygon, at, 1.0, at.half_mm), kerf + 1, of);
-    try_polygon(clipped(polygon, at, -1.0, at.half_mm), kerf + 1, of);
+    if (low >= at.half_mm || high <= -at.half_mm) return try_polygon(polygon, kerf, of);
+    try_polygon(clipped(polygon, at, 1.0, at.half_mm), kerf, of);
+    try_polygon(clipped(polygon, at, -1.0, at.half_mm), kerf, of);
     const Polygon under = clipped(polygon, at, -1.0, -at.half_mm);
-    try_polygon(clipped(under, at, 1.0, -at.half_mm), kerf + 1, of);
+    try_polygon(clipped(under, at, 1.0, -at.half_mm), kerf, of);
     return;
   }
   Vec3 nearest_mm(0.0);
@@ -311,7 +313,7 @@ void RemainingSearch::try_along(std::int32_t kerf, const FrontPoint& from, const
   };
   const std::optional<RayHit> hit = bone_.original.first_hit(start, way);
   if (hit) try_at(hit->distance_mm);
-  for (std::int32_t other = 0; other < bone_.kerfs.count(); ++other) {
+  for (const std::int32_t other : kerfs_) {
     if (other == kerf || !is_open(other, start, in_slab_mm)) continue;
     const double rise = glm::dot(slab(other).axis_z, way);
     const double level_mm = slab(other).height_mm(start);

@@ -67,7 +67,8 @@ class RemainingSearch {
   void try_walls(std::int32_t kerf) noexcept;
   void try_skin() noexcept;
   void try_triangle(const NearTriangle& found) noexcept;
-  void try_polygon(const Polygon& polygon, std::int32_t kerf, const NearTriangle& of) noexcept;
+  void try_polygon(const Polygon& polygon, KerfNumbers::Iterator kerf,
+                   const NearTriangle& of) noexcept;
   void offer_skin(const Vec3& on_skin_mm, const NearTriangle& of) noexcept;
   static Polygon clipped(const Polygon& polygon, const Slab& slab, double side,
                          double level_mm) noexcept;
@@ -81,6 +82,7 @@ class RemainingSearch {
   void try_lines(std::int32_t first, std::int32_t second) noexcept;
 
   const RemainingBone& bone_;
+  const KerfNumbers kerfs_;
   Vec3 point_mm_;
   double within_mm_;
   std::optional<RemainingPoint> best_;

@@ -32,23 +32,25 @@ class FreeLength : public ::testing::Test {
  protected:
   Bone bone_ = tests::cortical_bone(tests::solid_block({20.0, 20.0, 20.0}));
   TissueMap original_{bone_};
+  KerfSet kerfs_{Blade{}, bone_.world_from_bone};
+  Wound standing_{RemainingTissue{original_, kerfs_, {}}};
 };
 
 TEST_F(FreeLength, IsTheWholeBladeInAir) {
-  EXPECT_EQ(free_length_mm(tests::blade_down({0.0, 12.0, 0.0}), 25.0, original_), 25.0);
+  EXPECT_EQ(free_length_mm(tests::blade_down({0.0, 12.0, 0.0}), 25.0, standing_), 25.0);
 }
 
 TEST_F(FreeLength, IsWhatStandsOutOfTheBone) {
   // The top lies at y = 10; eight of 25 millimetres are in.
-  EXPECT_NEAR(free_length_mm(tests::blade_down({0.0, 2.0, 0.0}), 25.0, original_), 17.0, 0.011);
+  EXPECT_NEAR(free_length_mm(tests::blade_down({0.0, 2.0, 0.0}), 25.0, standing_), 17.0, 0.011);
 }
 
 TEST_F(FreeLength, EndsAtTheNearSideOfABoneThatIsSawnThrough) {
-  EXPECT_NEAR(free_length_mm(tests::blade_down({0.0, -12.0, 0.0}), 25.0, original_), 3.0, 0.011);
+  EXPECT_NEAR(free_length_mm(tests::blade_down({0.0, -12.0, 0.0}), 25.0, standing_), 3.0, 0.011);
 }
 
 TEST_F(FreeLength, IsNothingWhereTheCollarIsInside) {
-  EXPECT_EQ(free_length_mm(tests::blade_down({0.0, -9.0, 0.0}), 15.0, original_), 0.0);
+  EXPECT_EQ(free_length_mm(tests::blade_down({0.0, -9.0, 0.0}), 15.0, standing_), 0.0);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ TEST(BladeProbe, TeethSpreadEvenlyOverTheWidthOfTheBlade) {
 
 TEST(BladeProbe, EngagesTheTeethThatStandInBone) {
   const UncutBlock block;
-  TeethMemory teeth{};
+  OfFragments<TeethMemory> teeth{};
   // The middles of 13 of 21 teeth lie within the block's 6 mm.
   const Engagement inside =
       engagement(tests::blade_down({0.0, 5.0, 0.0}), block.standing, 0.0, teeth);
@@ -46,7 +46,7 @@ TEST(BladeProbe, EngagesTheTeethThatStandInBone) {
 
 TEST(BladeProbe, AToothMeetsBoneWithEachSideOfItsThickness) {
   const UncutBlock block;
-  TeethMemory teeth{};
+  OfFragments<TeethMemory> teeth{};
   // The block ends at x = 20; the blade's middle is just beyond, one side of its 0.5 mm still over
   // bone.
   EXPECT_GT(engagement(tests::blade_down({20.2, 5.0, 0.0}), block.standing, 0.0, teeth).width_mm(),

@@ -28,7 +28,7 @@ constexpr Blade test_blade{.width_mm = 10.0, .depth_mm = 25.0, .kerf_mm = 0.5};
 class SawnBlock {
  public:
   explicit SawnBlock(const Sawing& sawing)
-      : sawing_(sawing), field_({test_blade, sawing.cycles_per_minute}, bone_.world_from_bone) {
+      : sawing_(sawing), field_({test_blade, sawing.cycles_per_minute}) {
     kerfs_.freeze(quantise(pose()));
   }
 

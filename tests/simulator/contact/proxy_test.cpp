@@ -74,7 +74,7 @@ TEST(Proxy, AFaceThatIsInIsLedOutAndAToothIsNot) {
   const BladeContact deep_face{face, {0.0, 0.0, 0.0}, up, -0.1};
   EXPECT_NEAR(settled({}, {&deep_face, 1}, load).motion.translation_mm.y, 0.1, 0.003);
   load = {};
-  const BladeContact deep_tooth{0, {0.0, 0.0, 0.0}, up, -0.1};
+  const BladeContact deep_tooth{0, {0.0, 0.0, 0.0}, up, -0.1, true};
   EXPECT_EQ(settled({}, {&deep_tooth, 1}, load).motion.translation_mm.y, 0.0);
   EXPECT_NEAR(settled({{0.0, -1.0, 0.0}, {}}, {&deep_tooth, 1}, load).motion.translation_mm.y, 0.0,
               1e-6);

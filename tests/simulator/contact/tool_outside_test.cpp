@@ -57,11 +57,11 @@ class World {
   Vec3 tip_mm() const { return tool.bone_from_tool.translation_mm; }
   /// How deep the deepest face or edge is in bone.
   double depth_mm() const {
-    BladeMemory nothing;
+    OfFragments<BladeMemory> nothing;
     double depth = 0.0;
     const auto contacts = find_contacts(tool.bone_from_tool, standing(), 0.1, nothing);
     for (const BladeContact& contact : contacts.all()) {
-      if (!is_tooth(contact)) depth = std::max(depth, -contact.gap_mm);
+      if (!contact.is_tooth) depth = std::max(depth, -contact.gap_mm);
     }
     return depth;
   }
@@ -184,11 +184,11 @@ TEST(LaidBlade, StaysOutOfARoundBoneInAnyHand) {
 
 TEST(LaidBlade, AnswersDoNotDependOnWhatWasAskedBefore) {
   World world = block_below(flat_at({10.0, top_mm + 2.0, 0.0}));
-  BladeMemory memory;
+  OfFragments<BladeMemory> memory;
   for (int i = 0; i < 200; ++i) {
     const RigidTransform pose =
         on_edge_at({0.1 * i - 10.0, top_mm + 5.0 + 0.3 * std::sin(0.1 * i), 1.0});
-    BladeMemory nothing;
+    OfFragments<BladeMemory> nothing;
     const BladeContacts known = find_contacts(pose, world.standing(), 0.25, memory);
     const BladeContacts asked = find_contacts(pose, world.standing(), 0.25, nothing);
     ASSERT_EQ(known.count, asked.count);
