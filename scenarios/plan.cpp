@@ -217,9 +217,10 @@ const PlannedHinge* find_hinge(const Plan& plan, std::string_view name) noexcept
   return find_named(plan.hinges, name);
 }
 
-std::optional<simulator::PlannedBridge> planned_bridge(const Plan& plan) {
-  if (plan.hinges.empty()) return std::nullopt;
-  return plan.hinges.front().bridge;
+simulator::PlannedBridges planned_bridges(const Plan& plan) {
+  simulator::PlannedBridges bridges;
+  for (const PlannedHinge& hinge : plan.hinges) bridges.push_back(hinge.bridge);
+  return bridges;
 }
 
 Plan plan_on(const Scenario& scenario, const Bone& bone) {

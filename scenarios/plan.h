@@ -68,8 +68,8 @@ const PlannedCut* find_cut(const Plan& plan, std::string_view name) noexcept;
 std::size_t index_of_cut(const Plan& plan, std::string_view name) noexcept;
 const PlannedHinge* find_hinge(const Plan& plan, std::string_view name) noexcept;
 
-/// The plan's first hinge; nothing where the plan has none.
-std::optional<simulator::PlannedBridge> planned_bridge(const Plan& plan);
+/// The bridges of the plan's hinges, in their order.
+simulator::PlannedBridges planned_bridges(const Plan& plan);
 
 /// The face of the plane on this bone.
 /// errors  ScenarioError naming the landmark that this bone lacks, the cut whose plane misses the

@@ -9,7 +9,7 @@ simulator::SimulationSetup simulation_setup(const Scenario& scenario, const simu
   simulator::SimulationSetup setup{bone, scenario.saw};
   setup.contact.bone_quality = scenario.patient.bone_quality;
   setup.contact.guide = planned_guide(scenario, plan, guidance);
-  setup.bridge = planned_bridge(plan);
+  setup.bridges = planned_bridges(plan);
   for (const PlannedZone& zone : plan.danger_zones) setup.danger_zones.push_back(zone.capsule);
   return setup;
 }

@@ -42,7 +42,10 @@ class CutBone {
   explicit CutBone(IndexedMesh whole)
       : CutBone(std::make_unique<const WholeBone>(std::move(whole))) {}
   /// Borrows the bone.
-  explicit CutBone(const WholeBone& whole) : whole_(&whole), pieces_(whole.solid) {}
+  explicit CutBone(const WholeBone& whole) : CutBone(whole, NumberedPieces(whole.solid)) {}
+  /// A fragment whose pieces are numbered already. Borrows it.
+  CutBone(const WholeBone& whole, NumberedPieces pieces)
+      : whole_(&whole), pieces_(std::move(pieces)) {}
 
   // The kerfs, by their place in the order of cutting.
   std::int32_t kerf_count() const noexcept { return static_cast<std::int32_t>(kerfs_.size()); }
@@ -66,10 +69,16 @@ class CutBone {
   CutSolid all_but(std::int32_t place);
 
   /// Numbers the pieces that the kerfs leave as they are now open.
-  void number_pieces() { pieces_.number(split_pieces(after_all())); }
+  void number_pieces() { number_pieces(next_piece_); }
+  /// The same of a fragment that is not alone: the next number is the attempt's.
+  void number_pieces(std::int32_t& next_piece) {
+    pieces_.number(split_pieces(after_all()), next_piece);
+  }
   /// See NumberedPieces.
   const Bvh* take_out(std::int32_t piece) { return pieces_.take_out(piece); }
   const NumberedPieces& pieces() const noexcept { return pieces_; }
+  /// The pieces alone, for who makes other bones of them.
+  NumberedPieces release_pieces() && { return std::move(pieces_); }
 
  private:
   /// The bone after one more kerf; its tree once it was asked for.
@@ -95,6 +104,8 @@ class CutBone {
   /// After the first kerf, the second ...; those that still hold.
   std::deque<Stage> stages_;
   NumberedPieces pieces_;
+  /// Of a bone that is alone.
+  std::int32_t next_piece_ = 1;
 };
 
 }  // namespace hallux::simulator

@@ -78,8 +78,8 @@ SortedBodies sort_bodies(std::vector<CutSolid> solids) {
   return sorted;
 }
 
-NumberedPieces::NumberedPieces(const CutSolid& whole) {
-  pieces_.push_back({0, false, signed_volume_mm3(whole.mesh), {}, whole, nullptr});
+NumberedPieces::NumberedPieces(const CutSolid& whole, std::int32_t main) : main_(main) {
+  pieces_.push_back({main, false, signed_volume_mm3(whole.mesh), {}, whole, nullptr});
 }
 
 std::size_t NumberedPieces::body_of(const CutSolid& solid) const {
@@ -100,7 +100,7 @@ std::int32_t NumberedPieces::inherited_id(const CutSolid& solid, std::vector<std
   return -1;
 }
 
-void NumberedPieces::number(std::vector<CutSolid> solids) {
+void NumberedPieces::number(std::vector<CutSolid> solids, std::int32_t& next_id) {
   std::erase_if(solids, [&](const CutSolid& solid) { return body_of(solid) < taken_out_.size(); });
   SortedBodies sorted = sort_bodies(std::move(solids));
   std::vector<PieceBody> numbered;
@@ -109,10 +109,31 @@ void NumberedPieces::number(std::vector<CutSolid> solids) {
     CutSolid& solid = sorted.bodies[i];
     const std::int32_t inherited = inherited_id(solid, taken);
     const bool is_new = inherited < 0;
-    const std::int32_t id = is_new ? next_id_++ : inherited;
+    const std::int32_t id = is_new ? next_id++ : inherited;
     numbered.push_back({id, is_new, sorted.volumes_mm3[i], {}, std::move(solid), nullptr});
-    PieceBody& piece = numbered.back();
-    if (id != 0) piece.inside_mm = point_inside(piece.solid, tree_of(piece));
+  }
+  keep(std::move(numbered), std::move(sorted));
+}
+
+NumberedPieces NumberedPieces::of_part(const CutSolid& part, std::int32_t main) const {
+  NumberedPieces own(CutSolid{}, main);
+  SortedBodies sorted = sort_bodies(split_pieces(part));
+  std::vector<PieceBody> numbered;
+  for (std::size_t i = 0; i < sorted.bodies.size(); ++i) {
+    CutSolid& solid = sorted.bodies[i];
+    const auto in = std::find_if(pieces_.begin(), pieces_.end(), [&](const PieceBody& piece) {
+      return piece.id != main_ && lies_in(solid, Bvh(piece.solid.mesh));
+    });
+    const std::int32_t id = in == pieces_.end() ? main : in->id;
+    numbered.push_back({id, false, sorted.volumes_mm3[i], {}, std::move(solid), nullptr});
+  }
+  own.keep(std::move(numbered), std::move(sorted));
+  return own;
+}
+
+void NumberedPieces::keep(std::vector<PieceBody> numbered, SortedBodies sorted) {
+  for (PieceBody& piece : numbered) {
+    if (piece.id != main_) piece.inside_mm = point_inside(piece.solid, tree_of(piece));
   }
   pieces_ = std::move(numbered);
   crumbs_ = std::move(sorted.crumbs);

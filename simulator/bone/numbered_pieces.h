@@ -16,12 +16,12 @@
 namespace hallux::simulator {
 
 struct PieceBody {
-  /// 0 is the bone; what is cut off gets the next number and keeps it.
+  /// 0 is the first bone; what is cut off gets the next number and keeps it.
   std::int32_t id = 0;
   /// Came free since the pieces were numbered before.
   bool is_new = false;
   double volume_mm3 = 0.0;
-  /// A point well inside it; of the bone, piece 0, none.
+  /// A point well inside it; of the fragment's own piece none.
   Vec3 inside_mm{0.0, 0.0, 0.0};
   CutSolid solid;
   /// None before it is asked for: a tree is several times as large as its solid.
@@ -48,12 +48,19 @@ SortedBodies sort_bodies(std::vector<CutSolid> solids);
 
 class NumberedPieces {
  public:
-  /// One piece, number 0.
-  explicit NumberedPieces(const CutSolid& whole);
+  /// One piece.
+  /// main    its number, which what is left of the fragment keeps
+  explicit NumberedPieces(const CutSolid& whole, std::int32_t main = 0);
 
+  std::int32_t main() const noexcept { return main_; }
   /// Numbers what the kerfs leave now.
-  /// solids  as split_pieces gives them, with those that were taken out; largest first
-  void number(std::vector<CutSolid> solids);
+  /// solids   as split_pieces gives them, with those that were taken out; largest first
+  /// next_id  the next number of the attempt; counted on
+  void number(std::vector<CutSolid> solids, std::int32_t& next_id);
+  /// Numbers one of the parts into which what is left was divided, as pieces of its own: what lies
+  /// in a free piece of this keeps that number.
+  /// main     the number of the rest
+  NumberedPieces of_part(const CutSolid& part, std::int32_t main) const;
   /// From now on, what lies in this piece is gone.
   /// errors  null where no piece has this number; else its body, which lives as long as this
   const Bvh* take_out(std::int32_t id);
@@ -74,12 +81,13 @@ class NumberedPieces {
   /// The taken-out body in which a solid lies; the number of bodies where it lies in none.
   std::size_t body_of(const CutSolid& solid) const;
   std::int32_t inherited_id(const CutSolid& solid, std::vector<std::int32_t>& taken);
+  void keep(std::vector<PieceBody> numbered, SortedBodies sorted);
 
   std::vector<PieceBody> pieces_;
   std::vector<std::unique_ptr<const Bvh>> taken_out_;
   std::vector<CutSolid> crumbs_;
   double debris_mm3_ = 0.0;
-  std::int32_t next_id_ = 1;
+  std::int32_t main_;
 };
 
 }  // namespace hallux::simulator

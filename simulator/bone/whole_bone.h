@@ -1,4 +1,5 @@
-/// A bone that was never cut, with the tree over it: made once, borrowed by all who cut that bone.
+/// A bone that was never cut, or a fragment as it came to be, with the tree over it: made once,
+/// borrowed by all who cut it.
 #pragma once
 
 #include <utility>
@@ -12,7 +13,9 @@ namespace hallux::simulator {
 struct WholeBone {
   /// needs   the mesh is closed
   /// thread  any; work of 0.1 s
-  explicit WholeBone(IndexedMesh mesh) : solid(uncut_solid(std::move(mesh))), tree(solid.mesh) {}
+  explicit WholeBone(IndexedMesh mesh) : WholeBone(uncut_solid(std::move(mesh))) {}
+  /// The walls that kerfs left before keep their sources.
+  explicit WholeBone(CutSolid fragment) : solid(std::move(fragment)), tree(solid.mesh) {}
   WholeBone(const WholeBone&) = delete;
   WholeBone& operator=(const WholeBone&) = delete;
 

@@ -57,6 +57,21 @@ bool blade_is_in(const RigidTransform& fragment_from_tool, const RemainingTissue
   return false;
 }
 
+/// The hardest tissue of one fragment over each tooth's thickness, or what was there before.
+void add_tissue(const RemainingTissue& bone, const RigidTransform& fragment_from_tool,
+                double ahead_mm, TeethMemory& memory,
+                std::array<Tissue, tooth_count>& hardest) noexcept {
+  const Blade& blade = bone.kerfs.blade();
+  for (std::size_t layer = 0; layer < tooth_layers; ++layer) {
+    const double aside_mm = tooth_layer_share * blade.kerf_mm * (static_cast<double>(layer) - 1.0);
+    const auto points = tooth_points(fragment_from_tool, blade, ahead_mm, aside_mm);
+    for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
+      const Tissue tissue = bone.at(points[tooth], memory[layer * tooth_count + tooth]);
+      hardest[tooth] = std::max(hardest[tooth], tissue);
+    }
+  }
+}
+
 /// Whether it holds of a fragment near the blade: is_so(fragment_from_tool, its tissue).
 template <typename Claim>
 bool holds_of_any(const RigidTransform& bone_from_tool, const Wound& bone, const Claim& is_so) {
@@ -73,24 +88,21 @@ bool holds_of_any(const RigidTransform& bone_from_tool, const Wound& bone, const
 std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_tool,
                                                 const Wound& bone, double ahead_mm,
                                                 OfFragments<TeethMemory>& teeth) noexcept {
-  const Blade& blade = bone.blade();
   std::array<Tissue, tooth_count> hardest{};
-  const auto ask = [&](std::int32_t number, const WoundFragment& standing) {
-    const RigidTransform fragment_from_tool = standing.fragment_from(bone_from_tool);
-    TeethMemory& memory = teeth[static_cast<std::size_t>(number)];
-    for (std::size_t layer = 0; layer < tooth_layers; ++layer) {
-      const double aside_mm =
-          tooth_layer_share * blade.kerf_mm * (static_cast<double>(layer) - 1.0);
-      const auto points = tooth_points(fragment_from_tool, blade, ahead_mm, aside_mm);
-      for (std::size_t tooth = 0; tooth < tooth_count; ++tooth) {
-        const Tissue tissue =
-            standing.tissue.at(points[tooth], memory[layer * tooth_count + tooth]);
-        hardest[tooth] = std::max(hardest[tooth], tissue);
-      }
-    }
-  };
-  bone.visit_near(bone_from_tool.translation_mm, reach_of_blade_mm(blade), ask);
+  bone.visit_near(bone_from_tool.translation_mm, reach_of_blade_mm(bone.blade()),
+                  [&](std::int32_t number, const WoundFragment& standing) {
+                    add_tissue(standing.tissue, standing.fragment_from(bone_from_tool), ahead_mm,
+                               teeth[static_cast<std::size_t>(number)], hardest);
+                  });
   return hardest;
+}
+
+std::int32_t teeth_in_fragment(const WoundFragment& standing, const RigidTransform& bone_from_tool,
+                               TeethMemory& teeth) noexcept {
+  std::array<Tissue, tooth_count> hardest{};
+  add_tissue(standing.tissue, standing.fragment_from(bone_from_tool), probe_ahead_mm, teeth,
+             hardest);
+  return static_cast<std::int32_t>(std::count_if(hardest.begin(), hardest.end(), is_bone));
 }
 
 Engagement engagement(const RigidTransform& bone_from_tool, const Wound& bone, double ahead_mm,

@@ -135,8 +135,9 @@ class PiecesAgain {
     const auto event = std::find_if(events.begin(), events.end(), [&](const CutEvent& each) {
       return each.tick == job.applied_tick && each.kind == CutEventKind::HingeClosed;
     });
-    if (event == events.end() || !request_.bridge) return;
-    ClosedHinge hinge = close_bridge(bone_.move_to(job.request.tick), *request_.bridge);
+    const auto number = static_cast<std::size_t>(std::max(0, job.request.subject));
+    if (event == events.end() || number >= request_.bridges.size()) return;
+    ClosedHinge hinge = close_bridge(bone_.move_to(job.request.tick), request_.bridges[number]);
     if (hinge.outcome != HingeOutcome::Closed) return;
     // The pose is the recorded one: that is where the half came to lie.
     history_.closed = {event->tick, std::move(hinge.fixed), std::move(hinge.moved),

@@ -36,7 +36,7 @@ struct HistoryRequest {
   /// Of the recording, one per kerf.
   std::vector<OpenedField> opened;
   /// As the operation planned it.
-  std::optional<PlannedBridge> bridge;
+  PlannedBridges bridges;
 };
 
 /// What a kerf opened, and when.

@@ -1,8 +1,10 @@
 #include "simulator/jobs/geometry_job.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "simulator/base/check.h"
+#include "simulator/bone/contact_points.h"
 
 namespace hallux::simulator {
 
@@ -20,26 +22,52 @@ double section_area_mm2(const SlabSlice& contact) {
   return 0.25 * doubled_mm2;
 }
 
-FoundPiece found_from(const PieceBody& piece) {
+FoundPiece found_from(const PieceBody& piece, std::int32_t main) {
   FoundPiece found{piece.id, piece.is_new, piece.volume_mm3, piece.inside_mm, nullptr};
-  if (piece.id != 0) found.body = std::make_unique<const Bvh>(piece.solid.mesh);
+  if (piece.id != main) found.body = std::make_unique<const Bvh>(piece.solid.mesh);
   return found;
+}
+
+/// By which a piece meets others, and of each of those by which it is met.
+constexpr std::size_t points_of_piece = 72, points_met = 24;
+
+const PieceBody* find_piece(const NumberedPieces& pieces, std::int32_t id) noexcept {
+  const auto& all = pieces.pieces();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [id](const PieceBody& piece) { return piece.id == id; });
+  return found == all.end() ? nullptr : &*found;
 }
 
 }  // namespace
 
 AttemptGeometry::AttemptGeometry(const Bone& bone, const Blade& blade,
-                                 std::optional<PlannedBridge> bridge)
-    : kerfs_(blade, bone.world_from_bone), bridge_(bridge), bone_(solid_of(bone)) {}
+                                 const PlannedBridges& bridges)
+    : kerfs_(blade, bone.world_from_bone), bridges_(bridges) {
+  fragments_.push_back({nullptr, CutBone(solid_of(bone)), {}});
+}
 
 AttemptGeometry::AttemptGeometry(const BoneToCut& bone, const Blade& blade,
-                                 std::optional<PlannedBridge> bridge)
-    : kerfs_(blade, bone.world_from_bone), bridge_(bridge), bone_(bone.whole) {}
+                                 const PlannedBridges& bridges)
+    : kerfs_(blade, bone.world_from_bone), bridges_(bridges) {
+  fragments_.push_back({nullptr, CutBone(bone.whole), {}});
+}
 
 void AttemptGeometry::apply(const CutEvent& event) {
   CHECK(kerfs_.apply(event));
-  if (event.kind == CutEventKind::PlaneFrozen) has_risen_.push_back(1);
-  if (event.kind == CutEventKind::PieceRemoved) bone_.take_out(event.subject);
+  switch (event.kind) {
+    case CutEventKind::PlaneFrozen:
+      has_risen_.push_back(1);
+      fragment_at(kerfs_.fragment_of(event.subject)).kerfs.push_back(event.subject);
+      break;
+    case CutEventKind::PieceRemoved:
+      take_out(event.subject);
+      break;
+    case CutEventKind::FragmentParted:
+      part(event.subject, static_cast<std::int32_t>(event.value));
+      break;
+    default:
+      break;
+  }
 }
 
 void AttemptGeometry::apply(const ToolSample& sample) {
@@ -48,11 +76,65 @@ void AttemptGeometry::apply(const ToolSample& sample) {
   }
 }
 
+/// A fragment's own piece goes with all of it.
+void AttemptGeometry::take_out(std::int32_t piece) {
+  for (FragmentSolid& fragment : fragments_) {
+    if (fragment.is_out || find_piece(fragment.bone.pieces(), piece) == nullptr) continue;
+    if (fragment.bone.pieces().main() == piece) {
+      fragment.is_out = true;
+    } else {
+      fragment.bone.take_out(piece);
+    }
+    return;
+  }
+}
+
+void AttemptGeometry::part(std::int32_t piece, std::int32_t parent) {
+  if (piece == moved_piece_) {
+    divide(parent);
+    return;
+  }
+  const PieceBody* const found = find_piece(fragment_at(parent).bone.pieces(), piece);
+  CHECK(found != nullptr);
+  auto own = std::make_unique<const WholeBone>(found->solid);
+  fragment_at(parent).bone.take_out(piece);
+  const WholeBone& whole = *own;
+  fragments_.push_back({std::move(own), CutBone(whole, NumberedPieces(whole.solid, piece)), {}});
+}
+
+/// What its kerfs opened is in the halves' own surfaces from now on.
+void AttemptGeometry::divide(std::int32_t parent) {
+  FragmentSolid& divided = fragment_at(parent);
+  const NumberedPieces before = std::move(divided.bone).release_pieces();
+  const auto half = [&](CutSolid solid, std::int32_t main) {
+    NumberedPieces pieces = before.of_part(solid, main);
+    auto own = std::make_unique<const WholeBone>(std::move(solid));
+    const WholeBone& whole = *own;
+    return FragmentSolid{std::move(own), CutBone(whole, std::move(pieces)), {}};
+  };
+  FragmentSolid fixed = half(std::move(fixed_), before.main());
+  fixed.removed_before_mm3 = divided.removed_before_mm3 + divided.removed_mm3;
+  FragmentSolid moved = half(std::move(moved_), moved_piece_);
+  divided = std::move(fixed);
+  fragments_.push_back(std::move(moved));
+  next_piece_ = std::max(next_piece_, moved_piece_ + 1);
+  moved_piece_ = -1;
+}
+
+std::int32_t AttemptGeometry::place_of(std::int32_t kerf) const noexcept {
+  const std::vector<std::int32_t>& kerfs = fragment_at(kerfs_.fragment_of(kerf)).kerfs;
+  const auto found = std::find(kerfs.begin(), kerfs.end(), kerf);
+  return found == kerfs.end() ? -1 : static_cast<std::int32_t>(found - kerfs.begin());
+}
+
 void AttemptGeometry::bring_up_to_date() {
   for (std::int32_t kerf = 0; kerf < kerfs_.count(); ++kerf) {
     if (std::exchange(has_risen_[static_cast<std::size_t>(kerf)], 0) == 0) continue;
+    const std::int32_t place = place_of(kerf);
+    if (place < 0) continue;
     const KerfField& field = kerfs_.field(kerf);
-    bone_.put_kerf(kerf, {kerf, kerfs_.plane(kerf), field.grid(), outline_of(field)});
+    fragment_at(kerfs_.fragment_of(kerf))
+        .bone.put_kerf(place, {kerf, kerfs_.plane(kerf), field.grid(), outline_of(field)});
   }
 }
 
@@ -60,49 +142,132 @@ std::unique_ptr<JobResult> AttemptGeometry::run(const JobRequest& request) {
   auto result = std::make_unique<JobResult>();
   result->request = request;
   bring_up_to_date();
-  if (request.kind == JobKind::Hinge) {
-    result->hinge.outcome = HingeOutcome::FacesMissing;
-    if (bridge_) result->hinge = close_bridge(bone_, *bridge_);
-    return result;
-  }
-  CHECK(request.kerf >= 0 && request.kerf < kerfs_.count());
-  if (request.kind == JobKind::Section) {
-    run_section(*result);
-  } else {
-    run_pieces(*result);
+  switch (request.kind) {
+    case JobKind::Section:
+      run_section(*result);
+      break;
+    case JobKind::Pieces:
+      run_pieces(*result);
+      break;
+    case JobKind::Hinge:
+      run_hinge(*result);
+      break;
+    case JobKind::Grip:
+      run_grip(*result);
+      break;
   }
   return result;
 }
 
 void AttemptGeometry::run_section(JobResult& result) {
-  const std::int32_t kerf = result.request.kerf;
-  const SolidWithTree stands = bone_.before(kerf);
+  const std::int32_t kerf = result.request.subject;
+  CHECK(kerf >= 0 && kerf < kerfs_.count());
+  const std::int32_t place = place_of(kerf);
+  if (place < 0) return;
+  const SolidWithTree stands = fragment_at(kerfs_.fragment_of(kerf)).bone.before(place);
   result.section_mm2 = section_area_mm2(
       slice_slab(stands.solid, stands.bvh, kerfs_.plane(kerf), kerf, kerfs_.field(kerf).grid()));
 }
 
 void AttemptGeometry::run_pieces(JobResult& result) {
-  for (std::int32_t kerf = 0; kerf < kerfs_.count(); ++kerf) {
-    const KerfCut& cut = bone_.cut(kerf);
-    result.removed_mm3 += cut.removed_mm3;
+  CHECK(result.request.subject >= 0 && result.request.subject < kerfs_.count());
+  result.fragment = kerfs_.fragment_of(result.request.subject);
+  FragmentSolid& fragment = fragment_at(result.fragment);
+  fragment.removed_mm3 = 0.0;
+  for (std::size_t place = 0; place < fragment.kerfs.size(); ++place) {
+    const KerfCut& cut = fragment.bone.cut(static_cast<std::int32_t>(place));
+    fragment.removed_mm3 += cut.removed_mm3;
     result.nudges += cut.nudges;
-    if (cut.takes_section) result.completed.push_back(kerf);
+    if (cut.takes_section) result.completed.push_back(fragment.kerfs[place]);
   }
-  bone_.number_pieces();
-  for (const PieceBody& piece : bone_.pieces().pieces()) result.pieces.push_back(found_from(piece));
-  result.debris_mm3 = bone_.pieces().debris_mm3();
+  fragment.bone.number_pieces(next_piece_);
+  const NumberedPieces& pieces = fragment.bone.pieces();
+  for (const PieceBody& piece : pieces.pieces())
+    result.pieces.push_back(found_from(piece, pieces.main()));
+  for (const FragmentSolid& each : fragments_) {
+    result.debris_mm3 += each.bone.pieces().debris_mm3();
+    result.removed_mm3 += each.removed_before_mm3 + each.removed_mm3;
+  }
+}
+
+/// In the first fragment in which two kerfs end at the bridge.
+void AttemptGeometry::run_hinge(JobResult& result) {
+  result.hinge.outcome = HingeOutcome::FacesMissing;
+  const auto hinge = static_cast<std::size_t>(result.request.subject);
+  if (hinge >= bridges_.size()) return;
+  for (std::size_t i = 0; i < fragments_.size(); ++i) {
+    if (fragments_[i].is_out) continue;
+    result.hinge = close_bridge(fragments_[i].bone, bridges_[hinge]);
+    result.divided.fragment = static_cast<std::int32_t>(i);
+    if (result.hinge.outcome != HingeOutcome::FacesMissing) break;
+  }
+  if (result.hinge.outcome != HingeOutcome::Closed) return;
+  fixed_ = result.hinge.fixed;
+  moved_ = result.hinge.moved;
+  moved_piece_ = next_piece_;
+  result.divided.moved_piece = moved_piece_;
+  result.divided.fixed_surface = std::make_unique<const Bvh>(fixed_.mesh);
+  result.divided.moved_surface = std::make_unique<const Bvh>(moved_.mesh);
+}
+
+void AttemptGeometry::run_grip(JobResult& result) {
+  GrippedPiece& gripped = result.gripped;
+  for (std::size_t i = 0; i < fragments_.size(); ++i) {
+    const NumberedPieces& pieces = fragments_[i].bone.pieces();
+    const PieceBody* const piece = find_piece(pieces, result.request.subject);
+    if (fragments_[i].is_out || piece == nullptr) continue;
+    const ContactPoints contact = contact_points(piece->solid, points_of_piece);
+    gripped.fragment = static_cast<std::int32_t>(i);
+    gripped.is_own = pieces.main() == piece->id;
+    gripped.volume_mm3 = piece->volume_mm3;
+    gripped.inside_mm = piece->inside_mm;
+    gripped.centroid_mm = centroid_of(piece->solid.mesh);
+    gripped.surface = std::make_unique<const Bvh>(piece->solid.mesh);
+    gripped.points_mm = contact.points_mm;
+    gripped.closing = contact.out_of_walls;
+    gripped.met = met_by(piece->id, gripped.fragment);
+    return;
+  }
+}
+
+/// Every other piece: those of its own fragment lie where it was, those of others where they lie.
+std::vector<MetFragment> AttemptGeometry::met_by(std::int32_t piece, std::int32_t fragment) const {
+  std::vector<MetFragment> all;
+  for (std::size_t i = 0; i < fragments_.size(); ++i) {
+    if (fragments_[i].is_out) continue;
+    const auto number = static_cast<std::int32_t>(i);
+    CutSolid others;
+    for (const PieceBody& other : fragments_[i].bone.pieces().pieces()) {
+      if (number != fragment || other.id != piece) append_solid(others, other.solid);
+    }
+    if (others.mesh.triangles.empty()) continue;
+    all.push_back({number, std::make_unique<const Bvh>(others.mesh),
+                   contact_points(others, points_met).points_mm});
+  }
+  return all;
+}
+
+CutSolid AttemptGeometry::solid() const {
+  CutSolid all;
+  for (const FragmentSolid& fragment : fragments_) {
+    if (!fragment.is_out) append_solid(all, fragment.bone.pieces().gathered());
+  }
+  return all;
 }
 
 bool AttemptGeometry::is_only_kerf(std::int32_t kerf) const {
   for (std::int32_t other = 0; other < kerfs_.count(); ++other) {
     if (other != kerf && !outline_of(kerfs_.field(other)).corners_mm.empty()) return false;
   }
-  return !bone_.pieces().has_taken_out();
+  return !fragment_at(0).bone.pieces().has_taken_out();
 }
 
 std::optional<CutSolid> AttemptGeometry::solid_without(std::int32_t kerf) {
   bring_up_to_date();
-  return bone_.pieces().without_taken_out(bone_.all_but(kerf));
+  const std::int32_t fragment = kerf < 0 ? 0 : kerfs_.fragment_of(kerf);
+  const std::int32_t place = kerf < 0 ? -1 : place_of(kerf);
+  CutBone& bone = fragment_at(fragment).bone;
+  return bone.pieces().without_taken_out(bone.all_but(place));
 }
 
 }  // namespace hallux::simulator

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "simulator/bone/close_bridge.h"
+#include "simulator/bone/cut_bone.h"
 #include "simulator/cutting/field/kerf_set.h"
 #include "simulator/mesh/bone.h"
 
@@ -22,15 +23,17 @@ enum class JobKind : std::int32_t {
   Section,
   /// Commit what the blade has opened and see what comes free.
   Pieces,
-  /// Close the wedge beside the planned bridge.
-  Hinge
+  /// Close the wedge beside a planned bridge.
+  Hinge,
+  /// Find what a piece meets when it is moved.
+  Grip
 };
 
 struct JobRequest {
   std::int32_t id = -1;
   JobKind kind = JobKind::Section;
-  /// The one that asked; none for Hinge.
-  std::int32_t kerf = -1;
+  /// Section, Pieces: the kerf that asked. Hinge: which of the operation. Grip: the piece.
+  std::int32_t subject = -1;
   /// The state after this tick is what the job sees.
   std::int64_t tick = 0;
 };
@@ -42,20 +45,58 @@ struct FoundPiece {
   /// Came free since the job before.
   bool is_new = false;
   double volume_mm3 = 0.0;
-  /// A point well inside it; of the bone none.
+  /// A point well inside it; of the fragment's own piece none.
   Vec3 inside_mm{0.0, 0.0, 0.0};
-  /// Where nothing stands any more once it is taken out; none for the bone, which stays.
+  /// Where nothing stands any more once it is taken out; none for the fragment's own piece, which
+  /// stays.
   std::unique_ptr<const Bvh> body;
   /// Set by the step.
   bool is_taken_out = false;
 };
 
+/// What a piece may meet: the solids of one other fragment, in that one's frame.
+struct MetFragment {
+  std::int32_t fragment = 0;
+  std::unique_ptr<const Bvh> surface;
+  /// By which it meets the piece.
+  std::vector<Vec3> points_mm;
+};
+
+/// A piece that the forceps take hold of, in the frame of its fragment.
+struct GrippedPiece {
+  /// That it is, or will be a part of no more.
+  std::int32_t fragment = 0;
+  /// It is the fragment's own piece already.
+  bool is_own = false;
+  double volume_mm3 = 0.0;
+  Vec3 inside_mm{0.0, 0.0, 0.0}, centroid_mm{0.0, 0.0, 0.0};
+  /// Null where there is no such piece.
+  std::unique_ptr<const Bvh> surface;
+  /// By which it meets the others.
+  std::vector<Vec3> points_mm;
+  /// Into what its sawn walls came from, of unit length; zero where they say nothing.
+  Vec3 closing{0.0, 0.0, 0.0};
+  std::vector<MetFragment> met;
+};
+
+/// The bone after a hinge has closed: two fragments.
+struct DividedFragment {
+  /// That was divided, and keeps the half that stayed.
+  std::int32_t fragment = 0;
+  /// The number that the other half has as a piece.
+  std::int32_t moved_piece = 0;
+  std::unique_ptr<const Bvh> fixed_surface, moved_surface;
+};
+
 /// The step borrows it until it gives it back (StepOutput::given_back); the bodies of pieces that
-/// it has marked as taken out it borrows for the rest of the attempt.
+/// it has marked as taken out it borrows for the rest of the attempt, and so what it never gives
+/// back.
 struct JobResult {
   JobRequest request;
   /// Section: of the solid as it stood, at the kerf's planes.
   double section_mm2 = 0.0;
+  /// Pieces: that they are of.
+  std::int32_t fragment = 0;
   /// Pieces: without debris, largest first.
   std::vector<FoundPiece> pieces;
   /// Pieces: kerfs that took their whole section, ascending.
@@ -68,6 +109,10 @@ struct JobResult {
   std::uint32_t nudges = 0;
   /// Hinge.
   ClosedHinge hinge;
+  /// Hinge, where it has closed.
+  DividedFragment divided;
+  /// Grip.
+  GrippedPiece gripped;
 };
 
 /// A bone that others cut too.
@@ -76,14 +121,13 @@ struct BoneToCut {
   RigidTransform world_from_bone;
 };
 
-/// The attempt as the jobs see it: a copy of the kerfs, and the bone that they leave.
+/// The attempt as the jobs see it: a copy of the kerfs, and the fragments that they leave.
 class AttemptGeometry {
  public:
   /// Builds the tree of the whole bone; work of 0.1 s.
-  AttemptGeometry(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
+  AttemptGeometry(const Bone& bone, const Blade& blade, const PlannedBridges& bridges = {});
   /// Borrows the bone's solid and its tree.
-  AttemptGeometry(const BoneToCut& bone, const Blade& blade,
-                  std::optional<PlannedBridge> bridge = {});
+  AttemptGeometry(const BoneToCut& bone, const Blade& blade, const PlannedBridges& bridges = {});
 
   /// Applies what the step gave out; events of a tick before its sample.
   void apply(const CutEvent& event);
@@ -91,15 +135,17 @@ class AttemptGeometry {
   /// thread  worker, or the caller's in virtual time
   std::unique_ptr<JobResult> run(const JobRequest& request);
 
-  /// What lies in the wound, as the last job of pieces left it.
-  CutSolid solid() const { return bone_.pieces().gathered(); }
-  /// Of those the pieces, under their numbers.
-  const std::vector<PieceBody>& pieces() const noexcept { return bone_.pieces().pieces(); }
+  /// What lies in the wound, as the last jobs of pieces left it; each fragment in its own frame.
+  CutSolid solid() const;
+  /// Of a fragment the pieces, under their numbers.
+  const std::vector<PieceBody>& pieces(std::int32_t fragment = 0) const noexcept {
+    return fragment_at(fragment).bone.pieces().pieces();
+  }
   const KerfSet& kerfs() const noexcept { return kerfs_; }
   /// The bone that was never cut, with its tree.
-  SolidWithTree whole() { return bone_.before(0); }
-  /// Bodies that were taken out; they live as long as this.
-  std::vector<const Bvh*> taken_out() const { return bone_.pieces().taken_out(); }
+  SolidWithTree whole() { return fragment_at(0).bone.before(0); }
+  /// Bodies that were taken out of the bone, or parted from it; they live as long as this.
+  std::vector<const Bvh*> taken_out() const { return fragment_at(0).bone.pieces().taken_out(); }
   /// Nothing but this kerf was opened, and nothing taken out: without it the bone is whole.
   bool is_only_kerf(std::int32_t kerf) const;
   /// What lies in the wound with all kerfs opened as far as they are now but one (-1: but none),
@@ -109,14 +155,44 @@ class AttemptGeometry {
   std::optional<CutSolid> solid_without(std::int32_t kerf);
 
  private:
+  /// A fragment's solid with the kerfs that cut it since it is one.
+  struct FragmentSolid {
+    /// Null where it is borrowed, or the bone's own.
+    std::unique_ptr<const WholeBone> own;
+    CutBone bone;
+    /// By their place in the order of cutting.
+    std::vector<std::int32_t> kerfs;
+    /// By the blade, before the fragment was what it is now; and since, as worked out last.
+    double removed_before_mm3 = 0.0, removed_mm3 = 0.0;
+    /// Taken out of the wound.
+    bool is_out = false;
+  };
+
+  FragmentSolid& fragment_at(std::int32_t fragment) noexcept {
+    return fragments_[static_cast<std::size_t>(fragment)];
+  }
+  const FragmentSolid& fragment_at(std::int32_t fragment) const noexcept {
+    return fragments_[static_cast<std::size_t>(fragment)];
+  }
+  std::int32_t place_of(std::int32_t kerf) const noexcept;
+  void take_out(std::int32_t piece);
+  void part(std::int32_t piece, std::int32_t parent);
+  void divide(std::int32_t parent);
   void run_section(JobResult& result);
   void run_pieces(JobResult& result);
-  /// Opens the bone's kerfs as far as the fields are open now.
+  void run_hinge(JobResult& result);
+  void run_grip(JobResult& result);
+  std::vector<MetFragment> met_by(std::int32_t piece, std::int32_t fragment) const;
+  /// Opens the fragments' kerfs as far as the fields are open now.
   void bring_up_to_date();
 
   KerfSet kerfs_;
-  std::optional<PlannedBridge> bridge_;
-  CutBone bone_;
+  PlannedBridges bridges_;
+  std::vector<FragmentSolid> fragments_;
+  std::int32_t next_piece_ = 1;
+  /// What the last hinge that closed is to leave; and its number as a piece.
+  CutSolid fixed_, moved_;
+  std::int32_t moved_piece_ = -1;
   /// Per kerf: its field rose since the bone was opened as far.
   std::vector<std::uint8_t> has_risen_;
 };

@@ -44,7 +44,7 @@ class JobNames {
       RecordedJob job{{command.argument, JobKind::Pieces, -1, command.detail}, tick};
       if (const std::optional<std::int32_t> kerf = section_of(command.detail, said)) {
         job.request.kind = JobKind::Section;
-        job.request.kerf = *kerf;
+        job.request.subject = *kerf;
       } else if (has_unnamed_hinge) {
         job.request.kind = JobKind::Hinge;
         has_unnamed_hinge = false;

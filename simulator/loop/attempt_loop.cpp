@@ -54,10 +54,10 @@ class AttemptRun {
     if (setup.pacing == Pacing::RealTime) {
       own_jobs_ =
           std::make_unique<ThreadedJobs>(BoneToCut{whole_bone(), simulated.bone.world_from_bone},
-                                         simulated.saw.blade, simulated.bridge);
+                                         simulated.saw.blade, simulated.bridges);
     } else {
       own_jobs_ =
-          std::make_unique<ImmediateJobs>(simulated.bone, simulated.saw.blade, simulated.bridge);
+          std::make_unique<ImmediateJobs>(simulated.bone, simulated.saw.blade, simulated.bridges);
     }
     jobs_ = own_jobs_.get();
   }

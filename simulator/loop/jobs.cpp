@@ -40,9 +40,8 @@ JobResult* ImmediateJobs::take(std::int32_t job) noexcept {
   return result;
 }
 
-ThreadedJobs::ThreadedJobs(const BoneToCut& bone, const Blade& blade,
-                           std::optional<PlannedBridge> bridge)
-    : geometry_(bone, blade, bridge),
+ThreadedJobs::ThreadedJobs(const BoneToCut& bone, const Blade& blade, const PlannedBridges& bridges)
+    : geometry_(bone, blade, bridges),
       feed_(feed_capacity),
       ready_(ready_capacity),
       worker_([this](const std::stop_token& stop) { work(stop); }) {}

@@ -44,8 +44,8 @@ class JobRunner {
 /// Runs each job when it is asked for; ready at the next tick.
 class ImmediateJobs final : public JobRunner {
  public:
-  ImmediateJobs(const Bone& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {})
-      : geometry_(bone, blade, bridge) {}
+  ImmediateJobs(const Bone& bone, const Blade& blade, const PlannedBridges& bridges = {})
+      : geometry_(bone, blade, bridges) {}
 
   bool apply(const StepOutput& output) override;
   bool has_room() const noexcept override { return true; }
@@ -66,7 +66,7 @@ class ImmediateJobs final : public JobRunner {
 class ThreadedJobs final : public JobRunner {
  public:
   /// Borrows the bone's solid and its tree.
-  ThreadedJobs(const BoneToCut& bone, const Blade& blade, std::optional<PlannedBridge> bridge = {});
+  ThreadedJobs(const BoneToCut& bone, const Blade& blade, const PlannedBridges& bridges = {});
   ~ThreadedJobs() override;
 
   bool apply(const StepOutput& output) override;

@@ -15,7 +15,7 @@ class ReplayRun {
       : recording_(recording),
         tissue_(setup.bone),
         simulation_(tissue_, setup),
-        jobs_(setup.bone, setup.saw.blade, setup.bridge) {
+        jobs_(setup.bone, setup.saw.blade, setup.bridges) {
     outputs_.engine = recording.engine;
     outputs_.samples.reserve(recording.samples.size());
     outputs_.events.reserve(recording.events.size());

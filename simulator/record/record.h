@@ -84,7 +84,9 @@ enum class CommandKind : std::int32_t {
   /// The forceps take hold of a piece. Argument: as PickUp.
   Grip = 11,
   /// The forceps let go.
-  Release = 12
+  Release = 12,
+  /// The gripped piece is driven home: into what its sawn walls came from, until the faces touch.
+  Impact = 13
 };
 
 /// A decision applied at a tick: of the operator, the loop, or a job that is ready.

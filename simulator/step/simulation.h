@@ -16,10 +16,12 @@
 #include "simulator/jobs/geometry_job.h"
 #include "simulator/record/record.h"
 #include "simulator/step/attempt_clock.h"
+#include "simulator/step/forceps.h"
 #include "simulator/step/guide_of_step.h"
 #include "simulator/step/hinge_requests.h"
 #include "simulator/step/piece_book.h"
 #include "simulator/step/piece_requests.h"
+#include "simulator/step/standing_fragments.h"
 #include "simulator/step/tool_effects.h"
 #include "simulator/tool/saw.h"
 
@@ -32,7 +34,7 @@ struct StepInput {
   std::array<JobResult*, commands_per_tick> job_results{};
 };
 
-inline constexpr std::size_t events_per_step = 16;
+inline constexpr std::size_t events_per_step = 24;
 
 /// What is below `requests` is for displays and devices and is not recorded.
 struct StepOutput {
@@ -40,7 +42,7 @@ struct StepOutput {
   /// Before the sample, in order.
   FixedList<CutEvent, events_per_step> events;
   /// To be run on the state after this step.
-  FixedList<JobRequest, 2> requests;
+  FixedList<JobRequest, 4> requests;
   /// Results that the step needs no more, but for the bodies of pieces that were taken out.
   FixedList<const JobResult*, commands_per_tick> given_back;
   Engagement engaged;
@@ -59,7 +61,7 @@ struct SimulationSetup {
   Saw saw = {};
   ContactSettings contact = {};
   /// That the operation leaves and closes.
-  std::optional<PlannedBridge> bridge = std::nullopt;
+  PlannedBridges bridges = {};
   /// At most danger_zone_limit; the rest is not watched.
   std::vector<DangerCapsule> danger_zones = {};
 };
@@ -69,8 +71,12 @@ class Simulation {
  public:
   /// Takes all its memory here. Borrows `tissue`, of the setup's bone, for its lifetime.
   Simulation(const TissueMap& tissue, const SimulationSetup& setup);
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
 
   const KerfSet& kerfs() const noexcept { return kerfs_; }
+  /// The fragment in the forceps; -1: none.
+  std::int32_t gripped() const noexcept { return forceps_.fragment(); }
   const ToolEffects& effects() const noexcept { return effects_; }
   bool is_over() const noexcept { return clock_.is_over(); }
   /// Started, and neither the operator nor the loop has paused it.
@@ -90,19 +96,31 @@ class Simulation {
   void end(CutEventKind how, StepOutput& output) noexcept;
   void apply_job(JobResult& result, StepOutput& output) noexcept;
   void apply_pieces(JobResult& result, StepOutput& output) noexcept;
-  void apply_hinge(const ClosedHinge& hinge, StepOutput& output) noexcept;
+  void apply_hinge(JobResult& result, StepOutput& output) noexcept;
+  void apply_grip(JobResult& result, StepOutput& output) noexcept;
   void watch_faults(std::uint32_t faults, StepOutput& output) noexcept;
   void announce_pieces(StepOutput& output) noexcept;
   void carry_out_waiting(StepOutput& output) noexcept;
   void pick_up(std::int32_t piece, StepOutput& output) noexcept;
+  void want_grip(std::int32_t piece, StepOutput& output) noexcept;
+  void ask_for_grip(StepOutput& output) noexcept;
+  void refuse_grip(GripRefusal why, StepOutput& output) noexcept;
+  void let_go(StepOutput& output) noexcept;
+  void leave_kerf() noexcept;
+  void take_up_saw(const TapeLine& line) noexcept;
   void place_tool(const TapeLine& line) noexcept;
   void move(const TapeLine& line, StepOutput& output) noexcept;
+  void lead_piece(const TapeLine& line, StepOutput& output) noexcept;
   void stand_still(StepOutput& output) noexcept;
   ToolSample sample_of(const ToolInput& input, const ToolOutcome& outcome) const noexcept;
   void freeze(StepOutput& output) noexcept;
+  std::int32_t freeze_in(std::int32_t fragment, const RigidTransform& fragment_from_tool,
+                         StepOutput& output) noexcept;
+  void follow_cut(StepOutput& output) noexcept;
   void report(const ToolOutcome& outcome, StepOutput& output) const noexcept;
   void apply_to_effects(StepOutput& output) noexcept;
-  void ask(JobKind kind, std::int32_t kerf, StepOutput& output) noexcept;
+  void ask(JobKind kind, std::int32_t subject, StepOutput& output) noexcept;
+  void say(const CutEvent& event, StepOutput& output) noexcept;
   void note(StepOutput& output, CutEventKind kind, std::int32_t subject = -1,
             std::int64_t value = 0) const noexcept;
   void note_piece(StepOutput& output, CutEventKind kind, const FoundPiece& piece) const noexcept;
@@ -113,22 +131,34 @@ class Simulation {
   std::int32_t kerf_of_tool() const noexcept {
     return tool_.stage == ToolStage::InKerf ? tool_.kerf : -1;
   }
-  Wound standing() const noexcept { return RemainingTissue{tissue_, kerfs_, pieces_.removed()}; }
+  const Wound& wound() const noexcept { return fragments_.wound(); }
+  /// The fragment stands as it is now.
+  void stand(std::int32_t fragment) noexcept {
+    fragments_.stand(fragment, pieces_.removed(fragment));
+  }
 
-  const TissueMap& tissue_;
   RigidTransform world_from_bone_, bone_from_world_;
   Saw saw_;
   ContactSettings settings_;
   KerfSet kerfs_;
   ToolEffects effects_;
   ToolState tool_;
+  StandingFragments fragments_;
   AttemptClock clock_;
   GuideOfStep guide_;
   PieceRequests piece_requests_;
   PieceBook pieces_;
-  /// Whose pieces are in the book; null before the first.
-  const JobResult* pieces_result_ = nullptr;
+  /// Whose pieces of a fragment are in the book; null before the first.
+  std::array<const JobResult*, static_cast<std::size_t>(fragment_limit)> pieces_results_{};
   HingeRequests hinge_;
+  Forceps forceps_;
+  /// What the forceps hold was found by it; null where they hold nothing.
+  const JobResult* gripped_result_ = nullptr;
+  RigidTransform bone_from_handle_;
+  /// The forceps were put down where the blade would stand in bone: it is taken up again beside it.
+  bool is_hand_empty_ = false;
+  /// No kerf was left for a fragment that the blade's cut reached.
+  bool is_cut_refused_ = false;
   std::int32_t next_job_ = 0;
   std::int64_t tick_ = 0;
   /// Bits of DeviceFault, of the line before.

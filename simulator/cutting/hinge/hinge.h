@@ -43,6 +43,8 @@ struct PlannedBridge {
   Vec3 toward_moved{1.0, 0.0, 0.0};
   double breaks_below_mm = 0.3, bends_up_to_mm = 2.5;
 };
+/// Of an operation, in its order.
+using PlannedBridges = std::vector<PlannedBridge>;
 
 /// The bridge as the jobs ask for it.
 struct HingeRequest {

@@ -30,7 +30,7 @@ struct Attempt {
   }
   std::shared_ptr<const simulator::BoneHistory> history(OpenedFields opened) const {
     return simulator::build_history(
-        {bone, recording, std::move(opened), scenarios::planned_bridge(plan)});
+        {bone, recording, std::move(opened), scenarios::planned_bridges(plan)});
   }
 
   scenarios::Scenario scenario;

@@ -1,6 +1,8 @@
 /// The blade in its slot, through the whole step: kerfs open only there.
 #include <gtest/gtest.h>
 
+#include <memory>
+
 #include <cmath>
 
 #include "simulator/base/units.h"
@@ -267,18 +269,17 @@ RigidTransform beside_middle(double aside_mm, double tip_mm) {
 }
 
 /// The first stroke, from -6 to 3 mm beside the middle, all the way through and out again.
-SimulationRun after_first_stroke(const Bone& bone) {
-  SimulationRun run(bone, beside_middle(-2.0, 8.0));
+void make_first_stroke(SimulationRun& run) {
   run.glide(beside_middle(-2.0, -8.0), 5000);
   run.hold(2000);
   run.glide(beside_middle(-2.0, 9.0), 500);
   run.glide(beside_middle(4.5, 9.0), 200);
-  return run;
 }
 
 TEST(ToolInKerf, EachOfTwoStrokesSideBySideOnARoundBoneBreaksThrough) {
   const Bone bone = round_bone();
-  SimulationRun run = after_first_stroke(bone);
+  SimulationRun run(bone, beside_middle(-2.0, 8.0));
+  make_first_stroke(run);
   ASSERT_EQ(run.events(CutEventKind::Breakthrough).size(), 1U);
   // Its last tooth in bone comes out 5 mm deep; those in the first stroke's kerf are out a
   // millimetre later.
@@ -295,7 +296,8 @@ TEST(ToolInKerf, EachOfTwoStrokesSideBySideOnARoundBoneBreaksThrough) {
 
 TEST(ToolInKerf, ATremblingHandBreaksThroughAsWell) {
   const Bone bone = round_bone();
-  SimulationRun run = after_first_stroke(bone);
+  SimulationRun run(bone, beside_middle(-2.0, 8.0));
+  make_first_stroke(run);
   double tip_mm = 8.0;
   for (int i = 0; tip_mm > -8.0; ++i) {
     // A light hand: the spring is slack before the blade is out. 0.2 mm to and fro ten times a
@@ -310,7 +312,8 @@ TEST(ToolInKerf, ATremblingHandBreaksThroughAsWell) {
 
 TEST(ToolInKerf, ABladeDrawnBackFromBoneAndLedThroughTheOpenKerfBreaksNothing) {
   const Bone bone = round_bone();
-  SimulationRun run = after_first_stroke(bone);
+  SimulationRun run(bone, beside_middle(-2.0, 8.0));
+  make_first_stroke(run);
   run.glide(beside_middle(4.5, -2.0), 4000);
   ASSERT_TRUE(has(run.recording().samples.back().status, ToolStatus::Cutting));
   ASSERT_LT(run.bone_from_tool().translation_mm.y, 2.0);
@@ -339,17 +342,18 @@ TEST(ToolInKerf, ABladeThatSlidesOutSidewaysBreaksNothing) {
 TEST(ToolInKerf, ABladeShorterThanTheSectionNeverBreaksThrough) {
   const Bone bone = wide_block();
   const auto sawn_with = [&](double depth_mm) {
-    SimulationRun run(bone, blade_down({0.0, above_mm, 0.0}), {.blade = {.depth_mm = depth_mm}});
-    run.glide(blade_down({0.0, -top_mm - 8.0, 0.0}), 6000);
-    run.hold(12000);
+    auto run = std::make_unique<SimulationRun>(bone, blade_down({0.0, above_mm, 0.0}),
+                                               Saw{.blade = {.depth_mm = depth_mm}});
+    run->glide(blade_down({0.0, -top_mm - 8.0, 0.0}), 6000);
+    run->hold(12000);
     return run;
   };
-  const SimulationRun shorter = sawn_with(15.0);
-  EXPECT_TRUE(shorter.events(CutEventKind::Breakthrough).empty());
-  EXPECT_NEAR(shorter.bone_from_tool().translation_mm.y, top_mm - 15.0, 0.05);
-  EXPECT_GT(shorter.force_in_bone_newton().y, 20.0) << "the collar stands on the bone";
-  const SimulationRun longer = sawn_with(30.0);
-  EXPECT_EQ(longer.events(CutEventKind::Breakthrough).size(), 1U);
+  const auto shorter = sawn_with(15.0);
+  EXPECT_TRUE(shorter->events(CutEventKind::Breakthrough).empty());
+  EXPECT_NEAR(shorter->bone_from_tool().translation_mm.y, top_mm - 15.0, 0.05);
+  EXPECT_GT(shorter->force_in_bone_newton().y, 20.0) << "the collar stands on the bone";
+  const auto longer = sawn_with(30.0);
+  EXPECT_EQ(longer->events(CutEventKind::Breakthrough).size(), 1U);
 }
 
 TEST(ToolInKerf, TheForceDropsAtTheBreakThrough) {

@@ -117,7 +117,7 @@ void complete(ReplayMaterial& material, ReplayOrder order, const Progress& reach
     BoneLook look =
         cached_look_of(order.directory, attempt.bone, part_of(reached, follow_share, look_share));
     auto history = simulator::build_history(
-        {attempt.bone, attempt.recording, std::move(opened), planned_bridge(material.plan)},
+        {attempt.bone, attempt.recording, std::move(opened), planned_bridges(material.plan)},
         part_of(reached, look_share, history_share));
     material.bone = picture_of(std::move(history), std::move(look), order.name,
                                part_of(reached, history_share, 1.0));

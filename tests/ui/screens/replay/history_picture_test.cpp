@@ -16,7 +16,7 @@ struct World {
   World() {
     plan = plan_on(operation.scenario, operation.bone);
     history = simulator::build_history(
-        {operation.bone, operation.recording, opened(), scenarios::planned_bridge(plan)});
+        {operation.bone, operation.recording, opened(), scenarios::planned_bridges(plan)});
     picture = picture_of(history, look_of(1, operation.bone), "test");
   }
 

@@ -51,7 +51,7 @@ BoneBeingCut::BoneBeingCut(std::string name, const PreparedCase& prepared_case,
       picture_(std::move(picture)),
       watch_(watch),
       cut_({*prepared_case.whole, prepared_case.bone.world_from_bone},
-           prepared_case.scenario.saw.blade, scenarios::planned_bridge(prepared_case.plan)),
+           prepared_case.scenario.saw.blade, scenarios::planned_bridges(prepared_case.plan)),
       survey_(prepared_case) {
   base_ = {picture_.mesh, picture_.tree, world_from_bone_};
   newest_.bodies = {base_};

@@ -1,0 +1,268 @@
+/// A tick's way is gone in parts of a quarter of a millimetre, with contacts looked for anew in
+/// each. Points remember how far they were from a surface: most of them are answered by that alone.
+/// Surfaces are held a few micrometres apart, so that the way out of each other is always known.
+#include "simulator/contact/gripped_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hallux::simulator {
+
+namespace {
+
+constexpr double part_mm = 0.25;
+constexpr int part_limit = 6;
+/// No piece goes further in one tick.
+constexpr double travel_limit_mm = 1.5;
+/// That surfaces are held apart.
+constexpr double apart_mm = 0.005;
+/// Nearer than this the way to a surface is no direction.
+constexpr double direction_mm = 1.0e-5;
+/// A piece that is driven home turns as readily as it goes: as if it were held this far out.
+constexpr double driven_grip_mm = 8.0;
+/// Of a contact, for a claim.
+constexpr double touching_mm = 0.02;
+
+/// A pose of the piece about its centroid.
+RigidTransform about_centroid(const RigidTransform& wound_from_piece, const Vec3& centroid_mm) {
+  return {wound_from_piece.rotation, transform_point(wound_from_piece, centroid_mm)};
+}
+
+RigidTransform from_centroid(const RigidTransform& pose, const Vec3& centroid_mm) {
+  return {pose.rotation,
+          pose.translation_mm - transform_direction({pose.rotation, {}}, centroid_mm)};
+}
+
+/// Further than this no point that the piece meets others by lies from its centroid.
+double radius_of(const GrippedBody& gripped) noexcept {
+  double most_mm2 = 0.0;
+  for (const Vec3& point : gripped.points_mm)
+    most_mm2 = std::max(most_mm2, squared_length(point - gripped.centroid_mm));
+  return std::sqrt(most_mm2);
+}
+
+double reach_of(const ProxyMotion& motion, double radius_mm) noexcept {
+  return length_of(motion.translation_mm) + radius_mm * length_of(motion.rotation_rad);
+}
+
+struct NearSurface {
+  /// Out of the surface, in its frame.
+  Vec3 normal{0.0, 0.0, 0.0};
+  double height_mm = 0.0;
+};
+
+/// The surface within the distance of a point of its frame; the memory learns what was asked.
+std::optional<NearSurface> near_surface(const Bvh& surface, const Vec3& point_mm, double within_mm,
+                                        SurfaceMemory& memory) noexcept {
+  const double moved_mm = length_of(point_mm - memory.asked_mm);
+  if (memory.is_known && std::abs(memory.clearance_mm) - moved_mm > within_mm) return std::nullopt;
+  const double looked_mm = within_mm + travel_limit_mm;
+  const std::optional<NearestPoint> found = surface.nearest(point_mm, looked_mm);
+  if (!found) {
+    memory = {point_mm, looked_mm, true};
+    return std::nullopt;
+  }
+  const double side = found->is_inside ? -1.0 : 1.0;
+  memory = {point_mm, side * found->distance_mm, true};
+  if (found->distance_mm > within_mm || found->distance_mm < direction_mm) return std::nullopt;
+  return NearSurface{(side / found->distance_mm) * (point_mm - found->point_mm),
+                     side * found->distance_mm};
+}
+
+bool is_at_joint(const GrippedBody& gripped, const Vec3& place_mm) noexcept {
+  if (!gripped.joint) return false;
+  const Vec3 arm = place_mm - gripped.joint->point_mm;
+  const Vec3 across = arm - glm::dot(arm, gripped.joint->axis) * gripped.joint->axis;
+  const double free_mm = gripped.joint->free_radius_mm;
+  return squared_length(across) < free_mm * free_mm;
+}
+
+/// Contacts of a pose about the centroid with everything within the margin.
+class GrippedContacts {
+ public:
+  GrippedContacts(GrippedBody& gripped, const RigidTransform& pose, double margin_mm) noexcept
+      : gripped_(gripped),
+        pose_(pose),
+        margin_mm_(margin_mm),
+        wound_from_piece_(from_centroid(pose, gripped.centroid_mm)),
+        piece_from_wound_(inverse(wound_from_piece_)) {
+    std::size_t place = 0, theirs = 0;
+    for (const StandingSurface& other : gripped.others) {
+      add_own(other, gripped.clearances[place]);
+      add_theirs(other, gripped.clearances[place], theirs);
+      theirs += other.points_mm.size();
+      ++place;
+    }
+  }
+
+  std::span<const BladeContact> all() const noexcept { return contacts_.all(); }
+
+ private:
+  /// Points of the piece; of several surfaces each is held out of the nearest.
+  void add_own(const StandingSurface& other, std::span<SurfaceMemory> memory) noexcept {
+    for (std::size_t i = 0; i < gripped_.points_mm.size(); ++i) {
+      const Vec3 place_mm = transform_point(wound_from_piece_, gripped_.points_mm[i]);
+      if (is_at_joint(gripped_, place_mm)) continue;
+      const Vec3 point_mm = transform_point(other.surface_from_wound, place_mm);
+      const auto near = near_surface(*other.surface, point_mm, margin_mm_ + apart_mm, memory[i]);
+      if (!near) continue;
+      const Vec3 normal = transform_direction(other.wound_from_surface, near->normal);
+      put(i, place_mm, normal, near->height_mm - apart_mm);
+    }
+  }
+
+  /// Points of another, which the piece must not take in; `first`: how many came before.
+  void add_theirs(const StandingSurface& other, std::span<SurfaceMemory> memory,
+                  std::size_t first) noexcept {
+    for (std::size_t i = 0; i < other.points_mm.size(); ++i) {
+      const std::size_t number = gripped_point_limit + first + i;
+      if (number >= 2 * gripped_point_limit) return;
+      const Vec3 place_mm = transform_point(other.wound_from_surface, other.points_mm[i]);
+      if (is_at_joint(gripped_, place_mm)) continue;
+      const Vec3 point_mm = transform_point(piece_from_wound_, place_mm);
+      const auto near = near_surface(*gripped_.surface, point_mm, margin_mm_ + apart_mm,
+                                     memory[gripped_point_limit + i]);
+      if (!near) continue;
+      const Vec3 normal = -transform_direction(wound_from_piece_, near->normal);
+      put(number, place_mm, normal, near->height_mm - apart_mm);
+    }
+  }
+
+  void put(std::size_t number, const Vec3& place_mm, const Vec3& normal, double gap_mm) noexcept {
+    const BladeContact contact{number, place_mm - pose_.translation_mm, normal, gap_mm, false};
+    std::size_t& place = place_of_[number];
+    if (place == 0) {
+      contacts_.list[contacts_.count++] = contact;
+      place = contacts_.count;
+    } else if (gap_mm < contacts_.list[place - 1].gap_mm) {
+      contacts_.list[place - 1] = contact;
+    }
+  }
+
+  GrippedBody& gripped_;
+  const RigidTransform& pose_;
+  double margin_mm_;
+  RigidTransform wound_from_piece_, piece_from_wound_;
+  BladeContacts contacts_;
+  /// Of each point its place in the list, counted from 1; 0: none.
+  std::array<std::size_t, contact_limit> place_of_{};
+};
+
+/// The turn about a joint that comes nearest to a motion.
+double turn_about(const WoundJoint& joint, const ProxyMotion& wanted, const Vec3& centre_mm,
+                  double grip2_mm2) noexcept {
+  const Vec3 swing = glm::cross(joint.axis, centre_mm - joint.point_mm);
+  const double push = glm::dot(swing, wanted.translation_mm) +
+                      grip2_mm2 * glm::dot(joint.axis, wanted.rotation_rad);
+  return push / (glm::dot(swing, swing) + grip2_mm2);
+}
+
+/// As much of a turn as contacts allow.
+double free_turn(double turn_rad, const WoundJoint& joint, const Vec3& centre_mm,
+                 std::span<const BladeContact> contacts) noexcept {
+  double most_rad = turn_rad;
+  for (const BladeContact& contact : contacts) {
+    const Vec3 arm = centre_mm + contact.arm_mm - joint.point_mm;
+    const double per_rad = glm::dot(contact.normal, glm::cross(joint.axis, arm));
+    if (!(per_rad * most_rad < 0.0)) continue;
+    const double room_rad = std::max(0.0, contact.gap_mm) / std::abs(per_rad);
+    if (std::abs(most_rad) > room_rad) most_rad = most_rad < 0.0 ? -room_rad : room_rad;
+  }
+  return most_rad;
+}
+
+RigidTransform turned_about(const RigidTransform& pose, const WoundJoint& joint,
+                            double turn_rad) noexcept {
+  const RigidTransform turn{rotation_about(joint.axis, turn_rad), {}};
+  return {normalised(turn.rotation * pose.rotation),
+          joint.point_mm + transform_direction(turn, pose.translation_mm - joint.point_mm)};
+}
+
+ProxyMotion scaled(const ProxyMotion& motion, double share) noexcept {
+  return {share * motion.translation_mm, share * motion.rotation_rad};
+}
+
+double share_within(double size, double limit) noexcept {
+  return size > limit ? limit / size : 1.0;
+}
+
+/// Pose, hand and drive of one tick.
+struct Lead {
+  RigidTransform pose, wanted;
+  std::optional<Vec3> drive_mm;
+  double grip_mm = 0.0, radius_mm = 0.0;
+
+  ProxyMotion motion() const noexcept {
+    return drive_mm ? ProxyMotion{*drive_mm, Vec3{0.0, 0.0, 0.0}} : motion_between(pose, wanted);
+  }
+};
+
+/// One part of a tick's way; how far it went.
+double go_on(GrippedBody& gripped, Lead& lead, const ProxyMotion& wanted, double most_mm,
+             const ForcepsSettings& settings, GrippedOutcome& outcome) noexcept {
+  const GrippedContacts contacts(gripped, lead.pose, most_mm);
+  for (const BladeContact& contact : contacts.all())
+    outcome.is_touching = outcome.is_touching || contact.gap_mm < touching_mm;
+  if (gripped.joint) {
+    const WoundJoint& joint = *gripped.joint;
+    const double grip2_mm2 = lead.grip_mm * lead.grip_mm;
+    const double arm_mm = length_of(lead.pose.translation_mm - joint.point_mm) + lead.radius_mm;
+    const double limit_rad = most_mm / arm_mm;
+    const double asked_rad = std::clamp(
+        turn_about(joint, wanted, lead.pose.translation_mm, grip2_mm2), -limit_rad, limit_rad);
+    const double turn_rad = free_turn(asked_rad, joint, lead.pose.translation_mm, contacts.all());
+    lead.pose = turned_about(lead.pose, joint, turn_rad);
+    return std::abs(turn_rad) * arm_mm;
+  }
+  const ProxyFriction friction{settings.friction, settings.kinetic_ratio, settings.friction};
+  const ProxyMotion motion =
+      solve_proxy(wanted, contacts.all(), lead.grip_mm, friction, gripped.load).motion;
+  const double way_mm = reach_of(motion, lead.radius_mm);
+  const double share = share_within(way_mm, most_mm);
+  lead.pose = moved_by(lead.pose, scaled(motion, share));
+  return share * way_mm;
+}
+
+void pull_hand(const Lead& lead, const ForcepsSettings& settings,
+               GrippedOutcome& outcome) noexcept {
+  const ProxyMotion stretch = motion_between(lead.wanted, lead.pose);
+  const Vec3 force_newton = settings.coupling_newton_per_mm * stretch.translation_mm;
+  const double share = share_within(length_of(force_newton), settings.force_limit_newton);
+  outcome.force_newton = share * force_newton;
+  outcome.is_force_limited = share < 1.0;
+  const Vec3 torque = settings.torsion_newton_mm_per_rad * stretch.rotation_rad;
+  outcome.torque_newton_mm =
+      share_within(length_of(torque), settings.torque_limit_newton_mm) * torque;
+}
+
+}  // namespace
+
+GrippedOutcome move_gripped(GrippedBody& gripped, const RigidTransform& wound_from_handle,
+                            const std::optional<Vec3>& drive_mm,
+                            const ForcepsSettings& settings) noexcept {
+  GrippedOutcome outcome;
+  Lead lead;
+  lead.pose = about_centroid(gripped.wound_from_piece, gripped.centroid_mm);
+  lead.wanted = about_centroid(wound_from_handle * gripped.handle_from_piece, gripped.centroid_mm);
+  lead.drive_mm = drive_mm;
+  lead.radius_mm = radius_of(gripped);
+  lead.grip_mm =
+      drive_mm ? driven_grip_mm
+               : std::sqrt(settings.torsion_newton_mm_per_rad / settings.coupling_newton_per_mm);
+  const Vec3 from_mm = lead.pose.translation_mm;
+  double left_mm = travel_limit_mm;
+  for (int part = 0; part < part_limit && left_mm > 0.0; ++part) {
+    const ProxyMotion wanted = lead.motion();
+    const double asked_mm = reach_of(wanted, lead.radius_mm);
+    const double most_mm = std::min(part_mm, left_mm);
+    const double gone_mm = go_on(gripped, lead, wanted, most_mm, settings, outcome);
+    left_mm -= gone_mm;
+    if (asked_mm <= most_mm || !(gone_mm > 0.0) || drive_mm) break;
+  }
+  gripped.wound_from_piece = from_centroid(lead.pose, gripped.centroid_mm);
+  outcome.moved_mm = length_of(lead.pose.translation_mm - from_mm);
+  pull_hand(lead, settings, outcome);
+  return outcome;
+}
+
+}  // namespace hallux::simulator

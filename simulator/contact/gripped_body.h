@@ -1,0 +1,91 @@
+/// How a gripped piece follows the hand: it slides along what it touches and enters nothing, or it
+/// turns about a joint. Inside this room only.
+///
+///     handle --coupling--> wanted pose --contacts (proxy.h), joint--> pose of the piece
+///
+/// Contact goes both ways: points of the piece against the surfaces of the others, and points of
+/// those against the surface of the piece; between flat walls that is all there is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "simulator/base/fixed_list.h"
+#include "simulator/contact/proxy.h"
+#include "simulator/contact/wound.h"
+#include "simulator/mesh/bvh.h"
+
+namespace hallux::simulator {
+
+/// Points of the piece, and of all others together.
+inline constexpr std::size_t gripped_point_limit = 72;
+static_assert(2 * gripped_point_limit <= contact_limit);
+
+/// What the piece meets: surfaces that do not move while it is gripped.
+struct StandingSurface {
+  const Bvh* surface = nullptr;
+  /// In the surface's frame.
+  std::span<const Vec3> points_mm;
+  RigidTransform wound_from_surface, surface_from_wound;
+};
+
+/// An axis that two fragments share, in the wound frame.
+struct WoundJoint {
+  Vec3 point_mm{0.0, 0.0, 0.0};
+  /// Unit.
+  Vec3 axis{0.0, 1.0, 0.0};
+  /// Nearer to the axis contact is not looked for: there the fragments share a bridge.
+  double free_radius_mm = 0.0;
+};
+
+/// Constants of the forceps.
+/// source  docs/haptics.md, Forceps
+struct ForcepsSettings {
+  double coupling_newton_per_mm = 2.0;
+  double force_limit_newton = 30.0;
+  double torsion_newton_mm_per_rad = 4000.0;
+  double torque_limit_newton_mm = 500.0;
+  /// Bone on bone, from rest, and of it while it slides.
+  double friction = 0.2, kinetic_ratio = 0.8;
+};
+
+/// A piece in the forceps.
+struct GrippedBody {
+  const Bvh* surface = nullptr;
+  /// In the piece's frame, at most gripped_point_limit.
+  std::span<const Vec3> points_mm;
+  Vec3 centroid_mm{0.0, 0.0, 0.0};
+  FixedList<StandingSurface, static_cast<std::size_t>(fragment_limit)> others;
+  std::optional<WoundJoint> joint;
+  RigidTransform wound_from_piece;
+  /// As it was when the forceps closed.
+  RigidTransform handle_from_piece;
+  ProxyLoad load;
+  /// Clearances as they were asked last: of each point of the piece to each other, and back.
+  std::array<std::array<SurfaceMemory, 2 * gripped_point_limit>,
+             static_cast<std::size_t>(fragment_limit)>
+      clearances{};
+};
+
+struct GrippedOutcome {
+  /// On the hand, in the wound frame.
+  Vec3 force_newton{0.0, 0.0, 0.0};
+  Vec3 torque_newton_mm{0.0, 0.0, 0.0};
+  bool is_touching = false;
+  bool is_force_limited = false;
+  /// The way of the piece's centroid in this tick.
+  double moved_mm = 0.0;
+};
+
+/// Moves the piece for one tick towards where the hand wants it.
+/// drive   beside the hand, a way in this tick that the piece goes as far as contact lets it
+/// errors  none: total, allocates nothing
+/// thread  haptic
+GrippedOutcome move_gripped(GrippedBody& gripped, const RigidTransform& wound_from_handle,
+                            const std::optional<Vec3>& drive_mm,
+                            const ForcepsSettings& settings) noexcept;
+
+}  // namespace hallux::simulator
