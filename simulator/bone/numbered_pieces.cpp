@@ -157,9 +157,11 @@ std::vector<const Bvh*> NumberedPieces::taken_out() const {
   return bodies;
 }
 
-CutSolid NumberedPieces::gathered() const {
+CutSolid NumberedPieces::gathered_without(std::int32_t id) const {
   CutSolid all;
-  for (const PieceBody& piece : pieces_) append_solid(all, piece.solid);
+  for (const PieceBody& piece : pieces_) {
+    if (piece.id != id) append_solid(all, piece.solid);
+  }
   for (const CutSolid& crumb : crumbs_) append_solid(all, crumb);
   return all;
 }

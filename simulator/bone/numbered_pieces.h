@@ -58,8 +58,8 @@ class NumberedPieces {
   /// next_id  the next number of the attempt; counted on
   void number(std::vector<CutSolid> solids, std::int32_t& next_id);
   /// Numbers one of the parts into which what is left was divided, as pieces of its own: what lies
-  /// in a free piece of this keeps that number.
-  /// main     the number of the rest
+  /// in another piece of this than its main one, or `main`, keeps that number.
+  /// main     the number of the part itself
   NumberedPieces of_part(const CutSolid& part, std::int32_t main) const;
   /// From now on, what lies in this piece is gone.
   /// errors  null where no piece has this number; else its body, which lives as long as this
@@ -72,7 +72,9 @@ class NumberedPieces {
   /// They live as long as this.
   std::vector<const Bvh*> taken_out() const;
   /// Pieces and debris as one solid.
-  CutSolid gathered() const;
+  CutSolid gathered() const { return gathered_without(-1); }
+  /// The same without one piece.
+  CutSolid gathered_without(std::int32_t id) const;
   /// What is left of a solid of the same bone. Nothing where a piece that was taken out would hang
   /// on the rest again.
   std::optional<CutSolid> without_taken_out(const CutSolid& solid) const;

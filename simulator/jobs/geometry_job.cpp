@@ -30,6 +30,7 @@ FoundPiece found_from(const PieceBody& piece, std::int32_t main) {
 
 /// By which a piece meets others, and of each of those by which it is met.
 constexpr std::size_t points_of_piece = 72, points_met = 24;
+constexpr std::int32_t no_piece = -1;
 
 const PieceBody* find_piece(const NumberedPieces& pieces, std::int32_t id) noexcept {
   const auto& all = pieces.pieces();
@@ -91,34 +92,33 @@ void AttemptGeometry::take_out(std::int32_t piece) {
 
 void AttemptGeometry::part(std::int32_t piece, std::int32_t parent) {
   if (piece == moved_piece_) {
-    divide(parent);
+    divide(parent, std::move(fixed_), std::move(moved_), piece);
+    next_piece_ = std::max(next_piece_, piece + 1);
+    moved_piece_ = -1;
     return;
   }
-  const PieceBody* const found = find_piece(fragment_at(parent).bone.pieces(), piece);
+  const NumberedPieces& pieces = fragment_at(parent).bone.pieces();
+  const PieceBody* const found = find_piece(pieces, piece);
   CHECK(found != nullptr);
-  auto own = std::make_unique<const WholeBone>(found->solid);
-  fragment_at(parent).bone.take_out(piece);
-  const WholeBone& whole = *own;
-  fragments_.push_back({std::move(own), CutBone(whole, NumberedPieces(whole.solid, piece)), {}});
+  divide(parent, pieces.gathered_without(piece), found->solid, piece);
 }
 
-/// What its kerfs opened is in the halves' own surfaces from now on.
-void AttemptGeometry::divide(std::int32_t parent) {
+/// What the kerfs opened is in the surfaces of both from now on.
+void AttemptGeometry::divide(std::int32_t parent, CutSolid rest, CutSolid parted,
+                             std::int32_t piece) {
   FragmentSolid& divided = fragment_at(parent);
   const NumberedPieces before = std::move(divided.bone).release_pieces();
-  const auto half = [&](CutSolid solid, std::int32_t main) {
+  const auto fragment_of = [&](CutSolid solid, std::int32_t main) {
     NumberedPieces pieces = before.of_part(solid, main);
     auto own = std::make_unique<const WholeBone>(std::move(solid));
     const WholeBone& whole = *own;
     return FragmentSolid{std::move(own), CutBone(whole, std::move(pieces)), {}};
   };
-  FragmentSolid fixed = half(std::move(fixed_), before.main());
-  fixed.removed_before_mm3 = divided.removed_before_mm3 + divided.removed_mm3;
-  FragmentSolid moved = half(std::move(moved_), moved_piece_);
-  divided = std::move(fixed);
-  fragments_.push_back(std::move(moved));
-  next_piece_ = std::max(next_piece_, moved_piece_ + 1);
-  moved_piece_ = -1;
+  FragmentSolid left = fragment_of(std::move(rest), before.main());
+  left.removed_before_mm3 = divided.removed_before_mm3 + divided.removed_mm3;
+  FragmentSolid own = fragment_of(std::move(parted), piece);
+  divided = std::move(left);
+  fragments_.push_back(std::move(own));
 }
 
 std::int32_t AttemptGeometry::place_of(std::int32_t kerf) const noexcept {
@@ -236,10 +236,8 @@ std::vector<MetFragment> AttemptGeometry::met_by(std::int32_t piece, std::int32_
   for (std::size_t i = 0; i < fragments_.size(); ++i) {
     if (fragments_[i].is_out) continue;
     const auto number = static_cast<std::int32_t>(i);
-    CutSolid others;
-    for (const PieceBody& other : fragments_[i].bone.pieces().pieces()) {
-      if (number != fragment || other.id != piece) append_solid(others, other.solid);
-    }
+    const CutSolid others = fragments_[i].bone.pieces().gathered_without(
+        number == fragment ? piece : no_piece);
     if (others.mesh.triangles.empty()) continue;
     all.push_back({number, std::make_unique<const Bvh>(others.mesh),
                    contact_points(others, points_met).points_mm});

@@ -54,7 +54,8 @@ struct FoundPiece {
   bool is_taken_out = false;
 };
 
-/// What a piece may meet: the solids of one other fragment, in that one's frame.
+/// What a piece may meet: the solids of one fragment, in that one's frame; of its own fragment what
+/// it leaves.
 struct MetFragment {
   std::int32_t fragment = 0;
   std::unique_ptr<const Bvh> surface;
@@ -177,7 +178,7 @@ class AttemptGeometry {
   std::int32_t place_of(std::int32_t kerf) const noexcept;
   void take_out(std::int32_t piece);
   void part(std::int32_t piece, std::int32_t parent);
-  void divide(std::int32_t parent);
+  void divide(std::int32_t parent, CutSolid rest, CutSolid parted, std::int32_t piece);
   void run_section(JobResult& result);
   void run_pieces(JobResult& result);
   void run_hinge(JobResult& result);

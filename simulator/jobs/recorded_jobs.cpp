@@ -23,10 +23,13 @@ bool has_event(std::span<const CutEvent> events, CutEventKind kind, std::int32_t
   });
 }
 
+bool has_any(std::span<const CutEvent> events, CutEventKind kind) {
+  return std::any_of(events.begin(), events.end(),
+                     [kind](const CutEvent& event) { return event.kind == kind; });
+}
+
 bool has_hinge(std::span<const CutEvent> events) {
-  return std::any_of(events.begin(), events.end(), [](const CutEvent& event) {
-    return event.kind == CutEventKind::HingeClosed || event.kind == CutEventKind::HingeRefused;
-  });
+  return has_any(events, CutEventKind::HingeClosed) || has_any(events, CutEventKind::HingeRefused);
 }
 
 /// Names the jobs of one line of the tape after the other.
@@ -38,8 +41,10 @@ class JobNames {
     const std::int64_t tick = line.tick + line.ticks - 1;
     const std::span<const CutEvent> said = events_at(recording_, tick);
     bool has_unnamed_hinge = has_hinge(said);
+    std::optional<std::int32_t> unnamed_grip = gripped_by(said);
     for (std::size_t i = 0; i < line.command_count && i < commands_per_tick; ++i) {
       const Command& command = line.commands[i];
+      if (command.kind == CommandKind::CloseHinge) hinge_ = command.argument;
       if (command.kind != CommandKind::ApplyJob) continue;
       RecordedJob job{{command.argument, JobKind::Pieces, -1, command.detail}, tick};
       if (const std::optional<std::int32_t> kerf = section_of(command.detail, said)) {
@@ -47,13 +52,30 @@ class JobNames {
         job.request.subject = *kerf;
       } else if (has_unnamed_hinge) {
         job.request.kind = JobKind::Hinge;
+        job.request.subject = hinge_;
         has_unnamed_hinge = false;
+      } else if (unnamed_grip) {
+        job.request.kind = JobKind::Grip;
+        job.request.subject = *unnamed_grip;
+        unnamed_grip.reset();
       }
       jobs.push_back(job);
     }
   }
 
  private:
+  /// The piece that these events grip, if they do.
+  std::optional<std::int32_t> gripped_by(std::span<const CutEvent> said) {
+    std::optional<std::int32_t> piece;
+    for (const CutEvent& event : said) {
+      if (event.kind == CutEventKind::FragmentParted) own_pieces_.push_back(event.subject);
+      const auto fragment = static_cast<std::size_t>(event.subject);
+      if (event.kind == CutEventKind::Gripped && fragment < own_pieces_.size())
+        piece = own_pieces_[fragment];
+    }
+    return piece;
+  }
+
   /// The kerf that was frozen at that tick and whose section is known by these events, once.
   std::optional<std::int32_t> section_of(std::int64_t tick, std::span<const CutEvent> said) {
     for (const CutEvent& event : events_at(recording_, tick)) {
@@ -68,6 +90,10 @@ class JobNames {
 
   const Recording& recording_;
   std::vector<std::int32_t> known_;
+  /// Of each fragment, the number that it has as a piece.
+  std::vector<std::int32_t> own_pieces_{0};
+  /// Asked for last.
+  std::int32_t hinge_ = 0;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace hallux::simulator {
 
 struct RecordedJob {
-  /// As the step asked for it; the kerf is known of Section alone.
+  /// As the step asked for it; of Pieces the kerf is not known.
   JobRequest request;
   /// When its result entered the step.
   std::int64_t applied_tick = 0;

@@ -263,8 +263,8 @@ void Simulation::leave_kerf() noexcept {
   tool_.kerf = -1;
 }
 
-/// A piece that is gripped for the first time becomes a fragment. Its result is kept while the
-/// forceps hold it.
+/// A piece that is gripped for the first time becomes a fragment. The job's result is kept: the
+/// surfaces of both are borrowed from it.
 void Simulation::apply_grip(JobResult& result, StepOutput& output) noexcept {
   const GrippedPiece& found = result.gripped;
   const std::int32_t piece = result.request.subject;
@@ -275,20 +275,24 @@ void Simulation::apply_grip(JobResult& result, StepOutput& output) noexcept {
     return;
   }
   std::int32_t fragment = known.fragment;
+  leave_kerf();
   if (!known.is_own) {
-    const Bvh& surface = *known.piece->body;
     CHECK(pieces_.part(piece));
     say({tick_, CutEventKind::FragmentParted, piece, fragment, {}}, output);
+    for (const MetFragment& met : found.met) {
+      if (met.fragment == fragment) fragments_.cut_from(fragment, *met.surface);
+    }
+    pieces_.forget_removed(fragment);
     stand(fragment);
     fragment = kerfs_.fragments().count() - 1;
-    fragments_.cut_from(fragment, surface);
+    fragments_.cut_from(fragment, *found.surface);
     stand(fragment);
   }
   say({tick_, CutEventKind::Gripped, fragment, 0,
        quantise(kerfs_.fragments()[fragment].bone_from_fragment)},
       output);
   forceps_.hold(fragment, found, wound(), fragments_.joint_of(fragment), bone_from_handle_);
-  gripped_result_ = &result;
+  if (known.is_own) gripped_result_ = &result;
 }
 
 void Simulation::watch_faults(std::uint32_t faults, StepOutput& output) noexcept {

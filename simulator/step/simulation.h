@@ -152,7 +152,7 @@ class Simulation {
   std::array<const JobResult*, static_cast<std::size_t>(fragment_limit)> pieces_results_{};
   HingeRequests hinge_;
   Forceps forceps_;
-  /// What the forceps hold was found by it; null where they hold nothing.
+  /// To be given back when the forceps let go; null where there is none.
   const JobResult* gripped_result_ = nullptr;
   RigidTransform bone_from_handle_;
   /// The forceps were put down where the blade would stand in bone: it is taken up again beside it.

@@ -21,22 +21,17 @@ bool KerfSet::apply(const CutEvent& event) noexcept {
       return event.subject == count_ && event.value >= 0 && event.value < fragments_.count() &&
              freeze(event.pose, static_cast<std::int32_t>(event.value)) >= 0;
     case CutEventKind::FragmentParted:
+      if (!fragments_.apply(event)) return false;
+      // Both sides are new solids: what the kerfs opened is in their surfaces.
+      part_cuts(static_cast<std::int32_t>(event.value));
+      kerfs_of_[index(static_cast<std::int32_t>(event.value))] = {};
+      return true;
     case CutEventKind::Released:
       if (!fragments_.apply(event)) return false;
-      if (event.kind == CutEventKind::Released) part_cuts(event.subject);
+      part_cuts(event.subject);
       return true;
-    case CutEventKind::HingeClosed: {
-      const bool is_fragment = fragments_.count() > fragments_.bone_count();
-      if (!is_fragment) return true;
-      const std::int32_t moved = fragments_.count() - 1;
-      fragments_.apply(event);
-      // Both halves are new solids: what their kerfs opened is in their skin.
-      part_cuts(fragments_[moved].parent);
-      kerfs_of_[index(fragments_[moved].parent)] = {};
-      return true;
-    }
     default:
-      return true;
+      return fragments_.apply(event);
   }
 }
 

@@ -88,7 +88,7 @@ class KerfSet {
   }
   /// In whose frame its plane is said.
   std::int32_t fragment_of(std::int32_t kerf) const noexcept { return fragment_of_[index(kerf)]; }
-  /// The kerfs that cut this fragment since it is one, or since it was divided at a hinge.
+  /// The kerfs that cut this fragment since it is one, or since another was parted from it.
   const KerfNumbers& kerfs_of(std::int32_t fragment) const noexcept {
     return kerfs_of_[index(fragment)];
   }

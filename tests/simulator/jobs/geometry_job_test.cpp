@@ -180,7 +180,7 @@ TEST(PiecesJob, TheSameHistoryGivesTheSameBits) {
 TEST(JobDeathTest, AJobForAKerfThatIsNotThereIsABrokenPromise) {
   const Bone bone = block();
   AttemptGeometry geometry(bone, {});
-  EXPECT_DEATH(geometry.run({0, JobKind::Section, 0, 0}), "request.subject");
+  EXPECT_DEATH(geometry.run({0, JobKind::Section, 0, 0}), "kerfs_.count");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A directory that the program of engine version 6 made: its attempts are whole, keep their scores, and are not replayed."""
+"""Directories that the programs of older engine versions made: attempts are whole, keep their scores, and are not replayed."""
 
 import json
 import pathlib
@@ -8,14 +8,16 @@ import unittest
 
 from hallux_command import CommandTest
 
-OLD = pathlib.Path(__file__).parent / "old" / "engine_6.tar.xz"
+OLD = pathlib.Path(__file__).parent / "old"
 
 
-class AnOldDirectory(CommandTest):
+class AnOldDirectory:
+    engine = 0
+
     def setUp(self):
         super().setUp()
         self.data.mkdir(mode=0o700)
-        with tarfile.open(OLD) as packed:
+        with tarfile.open(OLD / f"engine_{self.engine}.tar.xz") as packed:
             packed.extract("hallux.db", self.data)
         # Brings the schema up, as whoever opens it next does.
         self.ask("attempts")
@@ -27,7 +29,7 @@ class AnOldDirectory(CommandTest):
         for attempt, card_json in self.kept.items():
             card = json.loads(card_json)
             scored = self.ask("score", attempt)
-            self.assertEqual(scored["engine"], 6)
+            self.assertEqual(scored["engine"], self.engine)
             self.assertEqual(round(1000 * scored["score"]), card["score_milli"])
             self.assertEqual([(line["item"], line["value"], line["rubric_points_lost"]) for line in scored["ledger"]],
                              [(line["item"], line["value"], line["points_lost_milli"] / 1000) for line in card["ledger"]])
@@ -37,7 +39,22 @@ class AnOldDirectory(CommandTest):
         for attempt in self.kept:
             answer = self.ask("replay", attempt)
             self.assertIsNone(answer["identical"])
-            self.assertEqual(answer["attempt_engine"], 6)
+            self.assertEqual(answer["attempt_engine"], self.engine)
+
+
+class ADirectoryOfEngine6(AnOldDirectory, CommandTest):
+    engine = 6
+
+
+class ADirectoryOfEngine7(AnOldDirectory, CommandTest):
+    engine = 7
+
+    def test_measures_the_same_from_the_recordings(self):
+        self.alter("DELETE FROM measurement_set")
+        for operation in ("akin", "silver"):
+            for attempt in self.ask("rescore", operation, "--dry-run")["attempts"]:
+                self.assertIs(attempt["changed"], False, attempt)
+                self.assertEqual(attempt["before"]["score"], attempt["after"]["score"])
 
 
 if __name__ == "__main__":

@@ -95,14 +95,15 @@ TEST_F(TwoFragments, APlaneFrozenAfterTheBladeLeftIsACutOfItsOwn) {
   EXPECT_EQ(kerfs_.one_cut_with(1).count(), 1);
 }
 
-TEST(KerfSet, AHingeThatClosesLeavesSolidsWithoutKerfs) {
+TEST(KerfSet, AFragmentThatPartsLeavesSolidsWithoutKerfs) {
   KerfSet kerfs(blade, RigidTransform{});
   kerfs.apply(event_of(CutEventKind::PlaneFrozen, 0, 0));
   kerfs.apply(sample_at(0, {0.0, 0.0, 0.0}));
   kerfs.apply(sample_at(-1, {-30.0, 0.0, 0.0}));
   kerfs.apply(event_of(CutEventKind::FragmentParted, 1, 0));
-  kerfs.apply(event_of(CutEventKind::HingeClosed, 0, 0, shifted({0.1, 0.0, 0.0})));
   EXPECT_TRUE(kerfs.kerfs_of(0).is_empty());
+  kerfs.apply(event_of(CutEventKind::HingeClosed, 0, 0, shifted({0.1, 0.0, 0.0})));
+  EXPECT_TRUE(kerfs.fragments()[1].is_moved);
   ASSERT_TRUE(kerfs.apply(event_of(CutEventKind::PlaneFrozen, 1, 1)));
   EXPECT_EQ(kerfs_in(kerfs.kerfs_of(1)), (std::vector<std::int32_t>{1}));
 }
