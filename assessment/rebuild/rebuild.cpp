@@ -4,19 +4,14 @@
 #include <span>
 #include <utility>
 
+#include "assessment/rebuild/fragment_solids.h"
 #include "assessment/rebuild/open_kerfs.h"
 #include "simulator/base/check.h"
-#include "simulator/bone/cut_bone.h"
-#include "simulator/cutting/solid/opened_volume.h"
-#include "simulator/cutting/solid/slab_volume.h"
 
 namespace hallux::assessment {
 
 namespace {
 
-using simulator::CutBone;
-using simulator::CutSolid;
-using simulator::KerfField;
 using simulator::Recording;
 using simulator::ToolSample;
 using simulator::ToolStatus;
@@ -26,8 +21,6 @@ constexpr double stamping_share = 0.5;
 constexpr std::size_t samples_per_report = 4096;
 /// What is not removed is not done, however little is missing.
 constexpr double almost_done = 0.999;
-/// The share of a region's volume that is rounding: positions are kept to about 1e-9 of a bone.
-constexpr double nothing_left = 1.0e-6;
 
 void note_cutting(RebuiltBone& rebuilt, const ToolSample& sample) {
   const bool is_of_kerf = sample.kerf >= 0 && sample.kerf < rebuilt.fields.count();
@@ -68,46 +61,6 @@ void put_kerfs(RebuiltBone& rebuilt, const Recording& recording, const OpenedFie
   }
 }
 
-/// How much of each region the outline takes. What rounding leaves of a region that was taken
-/// wholly is nothing.
-void measure_regions(RebuiltKerf& kerf, const CutSolid& solid) {
-  const std::size_t count = kerf.section.regions.size();
-  for (std::size_t region = 0; region < count; ++region) {
-    std::vector<std::uint8_t> only(count, 0);
-    only[region] = 1;
-    const double whole_mm3 = slab_volume_mm3(solid, kerf.section, only);
-    const double opened_mm3 = opened_volume_mm3(solid, kerf.section.regions[region].triangles,
-                                                kerf.section.plane, kerf.outline);
-    const double fraction = whole_mm3 > 0.0 ? opened_mm3 / whole_mm3 : 0.0;
-    const bool is_whole = fraction > 1.0 - nothing_left;
-    kerf.opened_fraction.push_back(is_whole ? 1.0 : std::max(fraction, 0.0));
-    kerf.is_touched.push_back(fraction > nothing_left ? 1 : 0);
-    kerf.is_removed.push_back(is_whole ? 1 : 0);
-  }
-}
-
-/// The kerf in the bone that the kerfs before it leave.
-void cut_kerf(RebuiltBone& rebuilt, CutBone& bone, std::int32_t index) {
-  RebuiltKerf& kerf = rebuilt.kerfs[static_cast<std::size_t>(index)];
-  const KerfField& field = rebuilt.fields.field(index);
-  const simulator::KerfPlane& plane = rebuilt.fields.plane(index);
-  const simulator::SolidWithTree before = bone.before(index);
-  kerf.section = slice_section(before.solid, before.bvh, plane);
-  kerf.outline = outline_of(field);
-  measure_regions(kerf, before.solid);
-  bone.put_kerf(index, {index, plane, field.grid(), kerf.outline});
-  kerf.removed_mm3 = bone.cut(index).removed_mm3;
-  rebuilt.removed_mm3 += kerf.removed_mm3;
-}
-
-void keep_pieces(RebuiltBone& rebuilt, const CutSolid& solid) {
-  simulator::SortedBodies sorted = sort_bodies(split_pieces(solid));
-  rebuilt.pieces = std::move(sorted.bodies);
-  rebuilt.piece_volumes_mm3 = std::move(sorted.volumes_mm3);
-  rebuilt.debris_mm3 = sorted.debris_mm3;
-  rebuilt.debris_count = static_cast<std::int32_t>(sorted.crumbs.size());
-}
-
 }  // namespace
 
 double RebuiltKerf::done_fraction() const noexcept {
@@ -122,9 +75,10 @@ bool RebuiltKerf::is_finished() const noexcept { return done_fraction() == 1.0; 
 
 RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Blade& blade,
                     const simulator::Recording& recording, const Progress& progress,
-                    const OpenedFields* opened, const SampleFollower& follow) {
+                    const OpenedFields* opened, const SampleFollower& follow,
+                    const simulator::PlannedBridges& bridges) {
   RebuiltBone rebuilt{
-      simulator::KerfSet(blade, bone.world_from_bone), {}, {}, {}, 0.0, 0.0, 0.0, 0};
+      simulator::KerfSet(blade, bone.world_from_bone), {}, {}, {}, {}, 0.0, 0.0, 0.0, 0};
   if (opened != nullptr) {
     CHECK(!follow);
     CHECK(are_of(*opened, blade, bone.world_from_bone, recording));
@@ -132,14 +86,10 @@ RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Blade& blade,
   } else {
     stamp_kerfs(rebuilt, recording, follow, progress);
   }
-  CutBone cut(solid_of(bone));
-  rebuilt.input_mm3 = signed_volume_mm3(cut.whole().mesh);
-  const std::int32_t count = rebuilt.fields.count();
-  for (std::int32_t index = 0; index < count; ++index) {
-    report(progress, stamping_share + (1.0 - stamping_share) * index / count);
-    cut_kerf(rebuilt, cut, index);
-  }
-  keep_pieces(rebuilt, cut.after_all());
+  FragmentSolids solids(rebuilt, bone, bridges);
+  solids.follow(recording, [&](double share) {
+    report(progress, stamping_share + (1.0 - stamping_share) * share);
+  });
   report(progress, 1.0);
   return rebuilt;
 }

@@ -8,6 +8,7 @@
 
 #include "assessment/rebuild/opened_fields.h"
 #include "simulator/base/progress.h"
+#include "simulator/bone/close_bridge.h"
 #include "simulator/cutting/field/kerf_set.h"
 #include "simulator/cutting/slice/section.h"
 #include "simulator/mesh/bone.h"
@@ -40,14 +41,27 @@ struct RebuiltKerf {
   double done_fraction() const noexcept;
 };
 
+/// A fragment as it was left: the bone, or a piece of it that was moved.
+struct RebuiltFragment {
+  /// The number that it has as a piece.
+  std::int32_t piece = 0;
+  /// Of RebuiltBone::pieces, its own.
+  std::size_t first_piece = 0, piece_count = 0;
+  /// Taken out of the wound.
+  bool is_out = false;
+};
+
 /// ensures input = sum of pieces + debris + removed, as far as sections integrate exactly
 struct RebuiltBone {
-  /// Planes and fields, one per entry of `kerfs`.
+  /// Planes and fields, one per entry of `kerfs`; and where the fragments lie at last.
   simulator::KerfSet fields;
   std::vector<RebuiltKerf> kerfs;
-  /// Largest first, debris left out.
+  /// Of each fragment largest first, debris left out; in its frame, that of the bone before
+  /// anything moved.
   std::vector<simulator::CutSolid> pieces;
   std::vector<double> piece_volumes_mm3;
+  /// As in `fields`; the bone is the first.
+  std::vector<RebuiltFragment> fragments;
   double input_mm3 = 0.0;
   /// By the blade, integrated from sections.
   double removed_mm3 = 0.0;
@@ -59,6 +73,7 @@ struct RebuiltBone {
 using SampleFollower =
     std::function<void(const simulator::ToolSample& sample, const simulator::KerfSet& kerfs)>;
 
+/// bridges that the operation planned, for a recording in which sawing went on after a hinge closed
 /// needs   recording's samples and events are in the order of their ticks
 /// ensures an event of tick t acts before the sample of tick t; kerfs act on the solid in the order
 ///         they were frozen; `opened` saves the stamping and changes no bit
@@ -68,6 +83,7 @@ using SampleFollower =
 /// thread  any
 RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Blade& blade,
                     const simulator::Recording& recording, const Progress& progress = {},
-                    const OpenedFields* opened = nullptr, const SampleFollower& follow = {});
+                    const OpenedFields* opened = nullptr, const SampleFollower& follow = {},
+                    const simulator::PlannedBridges& bridges = {});
 
 }  // namespace hallux::assessment

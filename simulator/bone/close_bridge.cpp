@@ -31,13 +31,16 @@ std::vector<KerfGap> gaps_of_kerfs(CutBone& bone, const HingeLine& line) {
 }  // namespace
 
 ClosedHinge close_bridge(CutBone& bone, const PlannedBridge& bridge) {
+  return close_bridge(bone, bone.pieces().gathered(), bridge);
+}
+
+ClosedHinge close_bridge(CutBone& bone, const CutSolid& solid, const PlannedBridge& bridge) {
   ClosedHinge missing;
   missing.outcome = HingeOutcome::FacesMissing;
   const std::vector<KerfGap> gaps = gaps_of_kerfs(bone, bridge.line);
   if (gaps.size() < 2) return missing;
   const HingeRequest request{bone.kerf(gaps[0].place).plane, bone.kerf(gaps[1].place).plane,
                              gaps[0].gap, gaps[1].gap, bridge};
-  const CutSolid solid = bone.pieces().gathered();
   return close_hinge(solid, Bvh(solid.mesh), request);
 }
 

@@ -11,5 +11,7 @@ namespace hallux::simulator {
 /// ensures the bone does not change; FacesMissing where fewer than two kerfs took bone at the
 ///         bridge
 ClosedHinge close_bridge(CutBone& bone, const PlannedBridge& bridge);
+/// The same with what lies in the wound said beside the bone.
+ClosedHinge close_bridge(CutBone& bone, const CutSolid& solid, const PlannedBridge& bridge);
 
 }  // namespace hallux::simulator

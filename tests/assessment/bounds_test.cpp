@@ -2,6 +2,8 @@
 // same attempt measured on grids of half the step.
 #include <gtest/gtest.h>
 
+#include <span>
+
 #include <cmath>
 #include <iterator>
 
@@ -202,7 +204,7 @@ std::pair<double, double> bridge_on_finer_field(const ExaminedAttempt& made) {
   simulator::KerfSet kerfs(made.scenario.saw.blade, made.bone.world_from_bone, finer);
   open_kerfs(
       kerfs, made.recording, [](std::int64_t) {},
-      [](std::size_t, const simulator::FieldWindow&) {});
+      [](std::size_t, std::span<const simulator::RisenKerf>) {});
   const simulator::CutSolid solid = simulator::uncut_solid(solid_of(made.bone));
   const simulator::Bvh tree(solid.mesh);
   double left_mm = INFINITY, beyond_mm = 0.0;

@@ -1,6 +1,8 @@
 /// Effects that are followed again, against those that the step followed.
 #include <gtest/gtest.h>
 
+#include <span>
+
 #include <algorithm>
 
 #include "assessment/process/followed_effects.h"
@@ -51,7 +53,7 @@ TEST(FollowedEvents, AreThoseOfTheStep) {
   simulator::KerfSet kerfs(saw.blade, bone.world_from_bone);
   open_kerfs(
       kerfs, run.recording(), [](std::int64_t) {},
-      [&](std::size_t index, const simulator::FieldWindow&) {
+      [&](std::size_t index, std::span<const simulator::RisenKerf>) {
         effects.follow(run.recording().samples[index], kerfs);
       });
 

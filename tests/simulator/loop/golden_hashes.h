@@ -15,7 +15,7 @@ struct GoldenHashes {
   std::string_view bone, tape, outputs;
 };
 
-inline constexpr std::int32_t golden_engine_version = 7;
+inline constexpr std::int32_t golden_engine_version = 8;
 
 inline constexpr GoldenHashes golden_tube{
     .bone = "e896492ae9dc6392ccf56bf4f9855c3c0391eae03bae8c511038e15487812285",
