@@ -1,4 +1,4 @@
-/// The saw: its blade, its drive and its sharpness. The one tool that there is so far.
+/// The saw: its blade, its drive and its sharpness.
 ///
 ///        handle                               teeth
 ///     ============[ collar ]-----------------|
@@ -9,9 +9,7 @@
 ///     z: the blade's normal; kerf_mm is cut out of bone, thickness_mm of steel goes through
 ///
 /// Made once from the scenario (scenarios/simulation_setup.h) and passed whole to whatever cuts,
-/// heats, bends, sounds or is drawn. Each further tool (wire driver, drill, screwdriver) joins here
-/// as a plain struct in a header of its own: what it is, in the words of its box. What it does to
-/// bone is the room's that does it (README.md).
+/// heats, bends, sounds or is drawn. What it does to bone is the room's that does it (README.md).
 #pragma once
 
 namespace hallux::simulator {
