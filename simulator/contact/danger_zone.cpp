@@ -7,34 +7,12 @@
 #include <cmath>
 
 #include "simulator/base/check.h"
+#include "simulator/base/segment.h"
 #include "simulator/base/units.h"
 
 namespace hallux::simulator {
 
 namespace {
-
-/// A segment shorter than this is a point [mm squared].
-constexpr double point_mm2 = 1.0e-12;
-
-struct Segment {
-  Vec3 from, to;
-};
-
-/// source  Ericson 2005, Real-Time Collision Detection, 5.1.9
-double squared_distance_mm2(const Segment& a, const Segment& b) noexcept {
-  const Vec3 along_a = a.to - a.from, along_b = b.to - b.from, between = a.from - b.from;
-  const double aa = squared_length(along_a), bb = squared_length(along_b),
-               ab = glm::dot(along_a, along_b);
-  const double ar = glm::dot(along_a, between), br = glm::dot(along_b, between);
-  double share_a = 0.0, share_b = 0.0;
-  if (aa > point_mm2) {
-    const double cross = aa * bb - ab * ab;
-    if (cross > 0.0) share_a = std::clamp((ab * br - ar * bb) / cross, 0.0, 1.0);
-  }
-  if (bb > point_mm2) share_b = std::clamp((ab * share_a + br) / bb, 0.0, 1.0);
-  if (aa > point_mm2) share_a = std::clamp((ab * share_b - ar) / aa, 0.0, 1.0);
-  return squared_length(between + share_a * along_a - share_b * along_b);
-}
 
 /// The blade's rectangle in the tool frame: x in [-depth, 0], y within half the width, z = 0.
 struct Rectangle {

@@ -113,6 +113,27 @@ std::optional<double> ray_distance(const std::array<Vec3, 3>& corner_mm, const V
   return distance_mm;
 }
 
+/// Whether the endless line comes into the box grown by the radius to all sides.
+bool line_meets_box(const TreeBox& box, const Vec3& point_mm, const Vec3& direction,
+                    double radius_mm) noexcept {
+  double enter = -std::numeric_limits<double>::infinity();
+  double leave = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto part = static_cast<glm::length_t>(axis);
+    const double low = static_cast<double>(box.low[axis]) - radius_mm - point_mm[part];
+    const double high = static_cast<double>(box.high[axis]) + radius_mm - point_mm[part];
+    if (direction[part] == 0.0) {
+      if (low > 0.0 || high < 0.0) return false;
+      continue;
+    }
+    const double first = low / direction[part];
+    const double second = high / direction[part];
+    enter = std::max(enter, std::min(first, second));
+    leave = std::min(leave, std::max(first, second));
+  }
+  return enter <= leave;
+}
+
 /// Whether the ray meets the box before `limit_mm`. Slabs of a direction component of 0 are decided
 /// by the origin.
 bool meets_box(const TreeBox& box, const Vec3& origin_mm, const Vec3& direction,
@@ -254,6 +275,18 @@ void Bvh::visit_near(const Vec3& point_mm, double within_mm, NearVisit visit,
           limit_mm2 = lowered_mm < 0.0 ? -1.0 : std::min(limit_mm2, lowered_mm * lowered_mm);
         }
       });
+}
+
+void Bvh::visit_line(const Vec3& point_mm, const Vec3& direction, double radius_mm, LineVisit visit,
+                     void* context) const {
+  // More than the rounding of the walk, so that a line through an edge finds both its triangles.
+  constexpr double rounding_mm = 1.0e-6;
+  visit_leaves(
+      tree_->nodes, tree_->slots,
+      [&](const TreeBox& box) {
+        return line_meets_box(box, point_mm, direction, radius_mm + rounding_mm);
+      },
+      [&](const TreeSlot& slot) { visit(context, slot.triangle, slot.corner_mm); });
 }
 
 }  // namespace hallux::simulator

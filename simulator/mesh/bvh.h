@@ -81,6 +81,19 @@ class Bvh {
         },
         &visit);
   }
+  /// Calls visit(triangle, corner_mm) for triangles that may come within `radius_mm` of the endless
+  /// line through the point.
+  /// needs   direction has length 1
+  template <typename Visit>
+  void visit_line(const Vec3& point_mm, const Vec3& direction, double radius_mm,
+                  Visit&& visit) const {
+    visit_line(
+        point_mm, direction, radius_mm,
+        [](void* context, std::uint32_t triangle, const std::array<Vec3, 3>& corner_mm) {
+          (*static_cast<std::remove_reference_t<Visit>*>(context))(triangle, corner_mm);
+        },
+        &visit);
+  }
   /// Replaces `triangles` by those that reach into |normal . p - offset| <= half_mm, in ascending
   /// order.
   void triangles_in_slab(const Vec3& normal, double offset_mm, double half_mm,
@@ -91,6 +104,10 @@ class Bvh {
   using NearVisit = double (*)(void* context, const NearTriangle& found);
   void visit_near(const Vec3& point_mm, double within_mm, NearVisit visit,
                   void* context) const noexcept;
+  using LineVisit = void (*)(void* context, std::uint32_t triangle,
+                             const std::array<Vec3, 3>& corner_mm);
+  void visit_line(const Vec3& point_mm, const Vec3& direction, double radius_mm, LineVisit visit,
+                  void* context) const;
 
   std::unique_ptr<const Tree> tree_;
 };

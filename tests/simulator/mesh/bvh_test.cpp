@@ -279,5 +279,36 @@ TEST(Bvh, VisitsBringTheNearestPoint) {
   EXPECT_LT(all_visits, 200 * 60);
 }
 
+// Every triangle with a corner within the radius of the line is among those visited, few others.
+TEST(Bvh, AlongALineVisitsWhatIsNearIt) {
+  const IndexedMesh mesh = tests::sphere(10.0, 12);
+  const Bvh bvh{mesh};
+  Random random{11};
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 point = any_point(random, 10.0);
+    const Vec3 direction = i < 3 ? Vec3{i == 0, i == 1, i == 2} : unit(any_point(random, 1.0));
+    std::vector<bool> is_visited(mesh.triangles.size());
+    std::size_t visits = 0;
+    bvh.visit_line(point, direction, 1.5,
+                   [&](std::uint32_t triangle, const std::array<Vec3, 3>& corner_mm) {
+                     EXPECT_EQ(corner_mm, corners_of(mesh, triangle));
+                     EXPECT_FALSE(is_visited[triangle]);
+                     is_visited[triangle] = true;
+                     ++visits;
+                   });
+    for (std::size_t triangle = 0; triangle < mesh.triangles.size(); ++triangle) {
+      const bool is_near = [&] {
+        for (const Vec3& corner : corners_of(mesh, triangle)) {
+          const Vec3 arm = corner - point;
+          if (length_of(arm - glm::dot(arm, direction) * direction) < 1.5) return true;
+        }
+        return false;
+      }();
+      EXPECT_TRUE(is_visited[triangle] || !is_near);
+    }
+    EXPECT_LT(visits, mesh.triangles.size() / 3);
+  }
+}
+
 }  // namespace
 }  // namespace hallux::simulator
