@@ -1,5 +1,5 @@
 /// Where a blade touches bone: points along its teeth, on its faces and on its edges, and the
-/// surface that each is near to. Inside this corner only.
+/// surface that each is near to. Inside this room only.
 ///
 ///     collar                          teeth
 ///       o    o    o    o    o    o    o :

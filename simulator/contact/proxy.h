@@ -1,5 +1,5 @@
 /// The proxy: the pose nearest to the hand's that bone allows, and the friction on the way there.
-/// Inside this corner only.
+/// Inside this room only.
 ///
 /// A god-object (Zilles and Salisbury 1995) with six degrees of freedom (Ortega, Redon and
 /// Coquillart 2007) and several contacts. What is least is the work stored between hand and tool:

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "simulator/contact/blade_probe.h"
+#include "simulator/contact/coupling.h"
 #include "simulator/contact/tool_in_kerf.h"
 #include "simulator/contact/tool_outside.h"
 
@@ -11,39 +12,25 @@ namespace hallux::simulator {
 
 namespace {
 
-/// No tool goes further in one tick: that of a faster hand comes after it.
-constexpr double tick_travel_limit_mm = 1.5;
-
-/// How far the tool may go. A tool that bone holds, or held until now, comes after the hand at no
-/// more than the speed of giving way; one in air follows at once.
-double travel_limit_mm(ToolState& tool, const ToolInput& input, const Blade& blade,
-                       const ContactSettings& settings) noexcept {
+/// How far the tool may go; it learns where the hand is.
+double travel_of(ToolState& tool, const ToolInput& input, const Blade& blade,
+                 const ContactSettings& settings) noexcept {
   const ProxyMotion hand = motion_between(tool.bone_from_handle, input.bone_from_handle);
   const bool is_free = tool.stage == ToolStage::Free && !tool.is_held;
-  const double follows_mm = reach_of(hand, blade) + settings.release_speed_mm_s * input.duration_s;
   const bool is_gentle = tool.knows_handle && !is_free;
   tool.bone_from_handle = input.bone_from_handle;
   tool.knows_handle = true;
-  return is_gentle ? std::min(tick_travel_limit_mm, follows_mm) : tick_travel_limit_mm;
-}
-
-/// The part of a force or torque that is within its limit.
-double share_within(const Vec3& value, double limit) noexcept {
-  const double size = length_of(value);
-  return size > limit ? limit / size : 1.0;
+  return travel_limit_mm(reach_of(hand, blade), input.duration_s, is_gentle, settings);
 }
 
 /// What the stretched coupling does to the hand.
 void pull_hand(const ToolState& tool, const ToolInput& input, const ContactSettings& settings,
                ToolOutcome& outcome) noexcept {
-  const ProxyMotion stretch = motion_between(input.bone_from_handle, tool.bone_from_tool);
-  const Vec3 force_newton = settings.coupling_newton_per_mm * stretch.translation_mm;
-  const double force_share = share_within(force_newton, settings.force_limit_newton);
-  outcome.force_in_bone_newton = force_share * force_newton;
-  outcome.is_force_limited = force_share < 1.0;
-  const Vec3 torque_newton_mm = settings.torsion_newton_mm_per_rad * stretch.rotation_rad;
-  outcome.torque_in_bone_newton_mm =
-      share_within(torque_newton_mm, settings.torque_limit_newton_mm) * torque_newton_mm;
+  const CouplingPull pull =
+      coupling_pull(motion_between(input.bone_from_handle, tool.bone_from_tool), settings);
+  outcome.force_in_bone_newton = pull.force_newton;
+  outcome.torque_in_bone_newton_mm = pull.torque_newton_mm;
+  outcome.is_force_limited = pull.is_force_limited;
 }
 
 /// Adds to what the hand feels; all of it together stays within the limit.
@@ -111,7 +98,7 @@ void kick_hand(ToolState& tool, const ToolInput& input, const Wound& bone,
 ToolOutcome move_tool(ToolState& tool, const ToolInput& input, const Wound& bone,
                       const ContactSettings& settings) noexcept {
   ToolOutcome outcome;
-  const double limit_mm = travel_limit_mm(tool, input, bone.blade(), settings);
+  const double limit_mm = travel_of(tool, input, bone.blade(), settings);
   if (tool.stage == ToolStage::InKerf) {
     move_in_kerf(tool, input, bone, settings, limit_mm, outcome);
   } else {

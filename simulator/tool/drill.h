@@ -1,4 +1,4 @@
-/// The drill: a twist bit and the drive that turns it. Inside this corner only.
+/// The drill: a twist bit and the drive that turns it. Inside this room only.
 ///
 ///     drive                           tip
 ///     =====[ chuck ]~~~~~~~~~~~~~~~~~~>

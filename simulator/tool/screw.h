@@ -1,4 +1,4 @@
-/// The screwdriver: a bone screw, and the drive that turns it. Inside this corner only.
+/// The screwdriver: a bone screw, and the drive that turns it. Inside this room only.
 ///
 ///     driver  head            thread           tip
 ///     ======[|####|/\/\/\/\/\/\/\/\/\/\/\/\/\/\>

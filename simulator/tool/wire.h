@@ -1,5 +1,5 @@
 /// The wire driver: a Kirschner wire with its trocar point, and the drive that turns it.
-/// Inside this corner only.
+/// Inside this room only.
 ///
 ///     driver                                       point
 ///     =====[ chuck ]------------------------------->

@@ -1,5 +1,5 @@
 /// A hole while it is bored: an axis that is frozen to the tool, and how far along it a tip has
-/// been. Inside this corner only.
+/// been. Inside this room only.
 ///
 ///     skin
 ///      |  radius_mm

@@ -1,5 +1,5 @@
 /// A capsule in a body's frame: what a wire, a drill or a screw takes up, and what it leaves.
-/// Inside this corner only.
+/// Inside this room only.
 ///
 /// All points within `radius_mm` of the axis from one end to the other: a cylinder with a half ball
 /// on either end. No mesh is cut for it.

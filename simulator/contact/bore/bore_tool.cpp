@@ -1,0 +1,40 @@
+#include "simulator/contact/bore/bore_tool.h"
+
+namespace hallux::simulator {
+
+namespace {
+
+double law_cycles(double revolutions_per_minute, double sharpness) noexcept {
+  return law_cycles_per_minute * (revolutions_per_minute / rated_revolutions_per_minute) *
+         sharpness;
+}
+
+}  // namespace
+
+BoreTool bore_tool(const WireDriver& driver) noexcept {
+  return {.radius_mm = 0.5 * driver.wire.diameter_mm,
+          .shaft_mm = driver.wire.length_mm,
+          .shoulder_radius_mm = chuck_radius_mm,
+          .law_cycles_per_minute = law_cycles(driver.revolutions_per_minute, driver.sharpness),
+          .turns_per_s = driver.revolutions_per_minute / 60.0};
+}
+
+BoreTool bore_tool(const Drill& drill) noexcept {
+  return {.radius_mm = 0.5 * drill.bit.diameter_mm,
+          .shaft_mm = drill.bit.length_mm,
+          .shoulder_radius_mm = chuck_radius_mm,
+          .law_cycles_per_minute = law_cycles(drill.revolutions_per_minute, drill.sharpness),
+          .turns_per_s = drill.revolutions_per_minute / 60.0};
+}
+
+BoreTool bore_tool(const Screwdriver& driver) noexcept {
+  return {.radius_mm = 0.5 * driver.screw.shaft_diameter_mm,
+          .shaft_mm = driver.screw.length_mm,
+          .shoulder_radius_mm = 0.5 * driver.screw.head_diameter_mm,
+          .law_cycles_per_minute = law_cycles(rated_revolutions_per_minute, 1.0),
+          .turns_per_s = driver.revolutions_per_minute / 60.0,
+          .pitch_mm = driver.screw.pitch_mm,
+          .bores = driver.screw.is_self_drilling};
+}
+
+}  // namespace hallux::simulator
