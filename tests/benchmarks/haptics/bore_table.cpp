@@ -1,0 +1,117 @@
+// What one tick of a tool with a point costs while it bores, stands on bone and slides on it.
+//
+//     bore_table [TRIANGLES...]
+//
+// Bones of 5,000, 50,000 and 500,000 triangles, or as many as are said. Processor time of each
+// tick, as Markdown.
+#include <exception>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "simulator/base/elementary.h"
+#include "tests/benchmarks/report/percentiles.h"
+#include "tests/benchmarks/report/table.h"
+#include "tests/benchmarks/worlds/bone_like.h"
+#include "tests/simulator/contact/bore/bore_world.h"
+#include "tests/simulator/step/simulation_run.h"
+
+namespace hallux::benchmarks {
+
+namespace {
+
+using tests::BoreWorld;
+using tests::pointing;
+
+const Vec3 down{0.0, -1.0, 0.0};
+
+Vec3 middle_of(const simulator::Bone& bone) {
+  Vec3 least = bone.outer.points_mm.front(), most = least;
+  for (const Vec3& point : bone.outer.points_mm) {
+    least = glm::min(least, point);
+    most = glm::max(most, point);
+  }
+  return 0.5 * (least + most);
+}
+
+/// Times of ticks, each with the handle that `handle_at` gives.
+template <typename HandleAt>
+Percentiles cost_us(BoreWorld& world, int ticks, const HandleAt& handle_at) {
+  std::vector<double> times_us;
+  for (int i = 0; i < ticks; ++i) {
+    const RigidTransform handle = handle_at(i);
+    const Stopwatch watch;
+    world.tick(handle, true);
+    times_us.push_back(1000.0 * watch.worked_milliseconds());
+  }
+  return percentiles_of(std::move(times_us));
+}
+
+/// Through the shaft with 10 N and out beyond it, beside a hole that is there.
+Percentiles bored(const simulator::Bone& bone) {
+  BoreWorld world(bone, simulator::bore_tool(simulator::WireDriver{}));
+  const Vec3 middle = middle_of(bone);
+  world.holes.push_back({middle + Vec3{3.0, 12.0, 0.0}, middle + Vec3{3.0, -12.0, 0.0}, 0.8});
+  world.state.body_from_tool = pointing(middle + Vec3{0.0, 12.0, 0.0}, down);
+  world.holes.reserve(8);
+  world.bores.push_back(
+      simulator::begin_bore(pointing(middle + Vec3{3.0, 8.0, 0.0}, down), 0.0, 0.8));
+  return cost_us(world, 8000, [&](int) {
+    RigidTransform handle = world.state.body_from_tool;
+    handle.translation_mm += 5.0 * down;
+    return handle;
+  });
+}
+
+/// Laid flat on the shaft, pressed, skidding and tilted to and fro.
+Percentiles laid(const simulator::Bone& bone) {
+  BoreWorld world(bone, simulator::bore_tool(simulator::WireDriver{}));
+  const Vec3 middle = middle_of(bone);
+  const Vec3 along{1.0, 0.0, 0.0};
+  world.state.body_from_tool = pointing(middle + Vec3{8.0, 12.0, 0.0}, along);
+  return cost_us(world, 8000, [&](int tick) {
+    const double swing = elementary::sin(0.003 * tick);
+    const Vec3 place = middle + Vec3{8.0 + 3.0 * swing, 4.0, 2.0 * swing};
+    return pointing(place, unit(along + Vec3{0.0, 0.15 * swing - 0.2, 0.0}));
+  });
+}
+
+Table cost_of_a_tick(const std::vector<std::size_t>& sizes) {
+  Table table{
+      .name = "bore_cost",
+      .title = "What a tick of a wire costs, processor time",
+      .columns = {"triangles", "while", "ticks", "p50 us", "p99 us", "greatest us"},
+      .rows = {},
+      .notes = {"a million square roots in a row take " + text_of(calibration_ms()) + " ms here"}};
+  for (const std::size_t triangles : sizes) {
+    simulator::Bone bone = tests::cortical_bone(make_bone_like({triangles, false}));
+    bone.cortex = simulator::CortexLaw{.length_mm = 62.0};
+    const std::pair<std::string, Percentiles> runs[] = {{"bored", bored(bone)},
+                                                        {"laid on", laid(bone)}};
+    for (const auto& [what, spread] : runs) {
+      table.rows.push_back({static_cast<double>(bone.outer.triangles.size()), what,
+                            static_cast<double>(spread.count), spread.median, spread.p99,
+                            spread.greatest});
+    }
+  }
+  return table;
+}
+
+}  // namespace
+
+}  // namespace hallux::benchmarks
+
+int main(int count, char** words) {
+  using namespace hallux::benchmarks;
+  try {
+    std::vector<std::size_t> sizes;
+    for (int i = 1; i < count; ++i) sizes.push_back(std::stoul(words[i]));
+    if (sizes.empty()) sizes = {5'000, 50'000, 500'000};
+    print_table(std::cout, cost_of_a_tick(sizes));
+  } catch (const std::exception& error) {
+    std::cerr << "bore_table: " << error.what() << "\nusage: bore_table [TRIANGLES...]\n";
+    return 2;
+  }
+  return 0;
+}
