@@ -321,6 +321,7 @@ BoundedVolume drilled_volume(const Bvh& solid, std::span<const Capsule> capsules
     const AxisFrame frame = frame_along(axis.from, axis.to);
     find_triangles_along(solid, frame, capsules[i].radius_mm, triangles);
     std::vector<Face> faces;
+    faces.reserve(triangles.size());
     for (const LocalTriangle& triangle : triangles) faces.push_back(face_of(triangle));
     std::vector<Capsule> earlier;
     for (const Capsule& other : capsules.first(i)) {

@@ -267,6 +267,30 @@ TEST(Bore, DoesNotBreakThroughIntoTheCanal) {
   EXPECT_LE(world.tip_mm().y, 0.0);
 }
 
+TEST(Bore, CrossesAnOpenKerfIntoTheNextFragmentWithoutABreakThrough) {
+  BoreWorld world(slab(10.0), wire());
+  // A kerf of half a millimetre in the plane y = 5.
+  world.saw({rotation_from_axes(Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, -1.0}), {-25.0, 5.0, 0.0}},
+            35.0);
+  ASSERT_EQ(world.standing().at({0.0, 5.0, 0.0}), Tissue::None);
+  ASSERT_EQ(world.standing().at({0.0, 5.3, 0.0}), Tissue::Cortical);
+  set_down(world, {0.0, top_mm, 0.0});
+  int in_air = 0, breaks = 0;
+  for (int i = 0; i < 8000 && world.tip_mm().y > 0.5; ++i) {
+    const BoreOutcome outcome = world.push(10.0, true);
+    breaks += outcome.broke_through ? 1 : 0;
+    in_air += outcome.engaged.width_mm() > 0.0 ? 0 : 1;
+  }
+  EXPECT_LE(world.tip_mm().y, 0.5);
+  EXPECT_EQ(breaks, 0);
+  EXPECT_GE(in_air, 1);
+  EXPECT_EQ(world.bores.size(), 1U);
+  for (int i = 0; i < 1000 && breaks == 0; ++i)
+    breaks += world.push(10.0, true).broke_through ? 1 : 0;
+  EXPECT_EQ(breaks, 1);
+  EXPECT_NEAR(world.tip_mm().y, 0.0, 0.21);
+}
+
 TEST(Bore, HoldsTheToolToItsAxisWithTheSpring) {
   BoreWorld world(slab(20.0), wire());
   set_down(world, {0.0, top_mm, 0.0});

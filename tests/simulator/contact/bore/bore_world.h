@@ -62,6 +62,19 @@ class BoreWorld {
     return tick(handle, drive_runs);
   }
 
+  /// Opens a kerf: the blade at a pose, fed along its x.
+  void saw(const RigidTransform& body_from_blade, double feed_mm) {
+    const simulator::QuantisedPose frozen = simulator::quantise(body_from_blade);
+    simulator::ToolSample sample;
+    sample.kerf = kerfs_.freeze(frozen);
+    sample.status = static_cast<std::uint32_t>(simulator::ToolStatus::SawOn);
+    for (const double fed_mm : {0.0, feed_mm}) {
+      const RigidTransform fed{Quat{1.0, 0.0, 0.0, 0.0}, Vec3{fed_mm, 0.0, 0.0}};
+      sample.world_from_tool =
+          simulator::quantise(bone_.world_from_bone * simulator::transform_from(frozen) * fed);
+      kerfs_.apply(sample);
+    }
+  }
   simulator::RemainingTissue standing() const { return {tissue_, kerfs_, {}}; }
   Vec3 tip_mm() const { return state.body_from_tool.translation_mm; }
 
