@@ -1,15 +1,15 @@
 #include "scenarios/neighbour.h"
 
-#include "scenarios/foot/first_metatarsal.h"
-#include "scenarios/foot/first_proximal_phalanx.h"
+#include "simulator/base/check.h"
 
 namespace hallux::scenarios {
 
-simulator::Bone neighbour_of(const Scenario& scenario, double edge_mm) {
-  const BoneRequest request{.edge_mm = edge_mm};
-  return scenario.patient.bone == "first_metatarsal"
-             ? make_first_proximal_phalanx(first_proximal_phalanx_table(), request)
-             : make_first_metatarsal(first_metatarsal_table(), request);
+simulator::Bone neighbour_of(const Scenario& scenario, double edge_mm,
+                             std::span<const FootBone> bones) {
+  const FootBone& own = foot_bone_of(scenario, scenario.patient, bones);
+  const FootBone* const beside = find_foot_bone(own.neighbour, bones);
+  CHECK(beside != nullptr);
+  return make_foot_bone(*beside, {.edge_mm = edge_mm});
 }
 
 }  // namespace hallux::scenarios

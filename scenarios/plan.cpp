@@ -7,11 +7,8 @@
 #include <algorithm>
 #include <optional>
 
-#include "scenarios/foot/first_metatarsal.h"
-#include "scenarios/foot/first_proximal_phalanx.h"
 #include "scenarios/landmark_of.h"
 #include "simulator/base/elementary.h"
-#include "simulator/base/progress.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -244,21 +241,6 @@ Plan plan_on(const Scenario& scenario, const Bone& bone) {
   plan.danger_zones = plan_zones(scenario, bone);
   plan.joint_surfaces = plan_joint_surfaces(scenario, bone);
   return plan;
-}
-
-Bone make_patient(const Scenario& scenario, const Progress& progress) {
-  const PatientRequest& patient = scenario.patient;
-  const BoneRequest request{.length_mm = patient.length_mm,
-                            .eminence_mm = patient.eminence_mm,
-                            .edge_mm = patient.edge_mm};
-  if (patient.bone == "first_metatarsal") {
-    return make_first_metatarsal(first_metatarsal_table(), request, progress);
-  }
-  if (patient.bone == "first_proximal_phalanx") {
-    return make_first_proximal_phalanx(first_proximal_phalanx_table(), request, progress);
-  }
-  throw ScenarioError(scenario.name + ": patient.bone: there is no bone \"" + patient.bone +
-                      "\"; use first_metatarsal or first_proximal_phalanx");
 }
 
 }  // namespace hallux::scenarios

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "scenarios/patient.h"
 #include "scenarios/planned_joints.h"
 #include "scenarios/planned_zones.h"
 #include "scenarios/scenario.h"
-#include "simulator/base/progress.h"
 #include "simulator/cutting/hinge/hinge.h"
 #include "simulator/mesh/bone.h"
 
@@ -75,10 +75,5 @@ simulator::PlannedBridges planned_bridges(const Plan& plan);
 /// errors  ScenarioError naming the landmark that this bone lacks, the cut whose plane misses the
 ///         bone, the hinge that has no room in it, or the danger zone that lies nowhere near it
 Plan plan_on(const Scenario& scenario, const simulator::Bone& bone);
-
-/// The patient that the scenario asks for; `progress` is told the fraction done and may return
-/// false to cancel.
-/// errors  ScenarioError (see make_first_metatarsal)
-simulator::Bone make_patient(const Scenario& scenario, const Progress& progress = {});
 
 }  // namespace hallux::scenarios

@@ -31,20 +31,21 @@ SourceNote read_source(const JsonNode& node) {
   return {.key = node.at("key").text(1, 64), .text = node.at("text").text(1, origin_bytes_max)};
 }
 
-/// Adult bones with room for the smallest and the largest foot. Nothing was found on how much
-/// harder or softer living bone is to saw: half and half as much again are ours.
-PatientRequest read_patient(const JsonNode& node) {
+/// Nothing was found on how much harder or softer living bone is to saw: half and half as much
+/// again are ours.
+PatientRequest read_patient(const JsonNode& node, std::span<const FootBone> bones) {
   PatientRequest patient;
   node.expect_keys({"bone", "length_mm", "edge_mm", "origin"}, {"eminence_mm", "bone_quality"});
-  patient.bone = node.at("bone").one_of({"first_metatarsal", "first_proximal_phalanx"});
-  const bool has_eminence = patient.bone == "first_metatarsal";
-  if (node.has("eminence_mm") != has_eminence) {
-    node.refuse_value(has_eminence ? "give \"eminence_mm\""
-                                   : "remove \"eminence_mm\": only a metatarsal has one");
+  patient.bone = node.at("bone").name();
+  const FootBone* const bone = find_foot_bone(patient.bone, bones);
+  if (bone == nullptr) node.at("bone").refuse_value("use one of: " + names_of(bones));
+  if (node.has("eminence_mm") != bone->has_eminence) {
+    node.refuse_value(bone->has_eminence ? "give \"eminence_mm\""
+                                         : "remove \"eminence_mm\": the " +
+                                               std::string(bone->title) + " has none");
   }
-  patient.length_mm = has_eminence ? node.at("length_mm").number(40.0, 90.0)
-                                   : node.at("length_mm").number(18.0, 45.0);
-  if (has_eminence) patient.eminence_mm = node.at("eminence_mm").number(0.0, 8.0);
+  patient.length_mm = node.at("length_mm").number(bone->length_low_mm, bone->length_high_mm);
+  if (bone->has_eminence) patient.eminence_mm = node.at("eminence_mm").number(0.0, 8.0);
   patient.edge_mm = node.at("edge_mm").number(0.2, 2.0);
   if (node.has("bone_quality")) patient.bone_quality = node.at("bone_quality").number(0.5, 1.5);
   patient.origin = read_origin(node);
@@ -202,7 +203,8 @@ void read_lists(const JsonNode& node, Scenario& scenario) {
 
 }  // namespace
 
-Scenario parse_scenario(std::string_view json, std::string_view name) {
+Scenario parse_scenario(std::string_view json, std::string_view name,
+                        std::span<const FootBone> bones) {
   const nlohmann::json document = parse_bounded_json(json, name);
   const JsonNode root(document, name);
   root.expect_keys(
@@ -211,7 +213,7 @@ Scenario parse_scenario(std::string_view json, std::string_view name) {
       {"hinges", "joint_surfaces", "proof", "start"});
   Scenario scenario;
   read_head(root, scenario);
-  scenario.patient = read_patient(root.at("patient"));
+  scenario.patient = read_patient(root.at("patient"), bones);
   read_blade(root.at("blade"), scenario);
   read_lists(root, scenario);
   if (root.has("start")) scenario.start = read_start(root.at("start"));

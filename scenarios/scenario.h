@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scenarios/foot/foot_bones.h"
 #include "scenarios/scenario_error.h"
 #include "simulator/base/embedded.h"
 #include "simulator/base/vector.h"
@@ -19,10 +20,10 @@ namespace hallux::scenarios {
 
 /// Which patient is made for the operation.
 struct PatientRequest {
-  /// "first_metatarsal" or "first_proximal_phalanx".
+  /// The name of one of foot_bones().
   std::string bone;
   double length_mm = 63.2;
-  /// Of a first metatarsal.
+  /// Of a bone on which one grows.
   double eminence_mm = 0.0;
   double edge_mm = 0.3;
   std::string origin;
@@ -271,10 +272,12 @@ struct Scenario {
 };
 
 /// The scenario in a JSON text; `name` stands in the messages.
+/// bones   the rows that its patient may ask for
 /// errors  ScenarioError: syntax with line, unknown or missing key with its path, value out of
 ///         range, weights that do not add up, a reference to a cut or landmark name that does not
 ///         exist in the file
-Scenario parse_scenario(std::string_view json, std::string_view name);
+Scenario parse_scenario(std::string_view json, std::string_view name,
+                        std::span<const FootBone> bones = foot_bones());
 /// The scenario in a file of at most 256 KiB that somebody brings.
 /// errors  ScenarioError: as parse_scenario, where the file cannot be read, or claims a review
 Scenario read_scenario(const std::filesystem::path& file);

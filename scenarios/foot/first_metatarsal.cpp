@@ -82,7 +82,9 @@ Vec3 cartilage_edge(const LandmarkSources& sources, double angle_rad) {
   return on_surface(sources, c.centre_mm + c.radius_mm * direction);
 }
 
-std::vector<simulator::Landmark> landmarks_of(const LandmarkSources& sources) {
+}  // namespace
+
+std::vector<simulator::Landmark> first_metatarsal_landmarks(const LandmarkSources& sources) {
   const simulator::IndexedMesh& mesh = sources.outer;
   const double length = sources.length_mm;
   const Vec3 medial{0.0, 0.0, -1.0};
@@ -103,11 +105,9 @@ std::vector<simulator::Landmark> landmarks_of(const LandmarkSources& sources) {
   };
 }
 
-}  // namespace
-
 simulator::Bone make_first_metatarsal(const BoneTable& table, const BoneRequest& request,
                                       const Progress& progress) {
-  return make_bone(table, request, {"first_metatarsal", landmarks_of}, progress);
+  return make_bone(table, request, {"first_metatarsal", first_metatarsal_landmarks}, progress);
 }
 
 BoneTable first_metatarsal_table() { return shipped_bone_table("first_metatarsal.txt"); }

@@ -28,7 +28,9 @@ double waist_mm(const LandmarkSources& sources) {
   return narrowest->position * sources.length_mm;
 }
 
-std::vector<simulator::Landmark> landmarks_of(const LandmarkSources& sources) {
+}  // namespace
+
+std::vector<simulator::Landmark> first_proximal_phalanx_landmarks(const LandmarkSources& sources) {
   const simulator::IndexedMesh& mesh = sources.outer;
   const double length = sources.length_mm;
   const double waist = waist_mm(sources);
@@ -52,11 +54,10 @@ std::vector<simulator::Landmark> landmarks_of(const LandmarkSources& sources) {
   };
 }
 
-}  // namespace
-
 simulator::Bone make_first_proximal_phalanx(const BoneTable& table, const BoneRequest& request,
                                             const Progress& progress) {
-  return make_bone(table, request, {"first_proximal_phalanx", landmarks_of}, progress);
+  return make_bone(table, request, {"first_proximal_phalanx", first_proximal_phalanx_landmarks},
+                   progress);
 }
 
 BoneTable first_proximal_phalanx_table() {

@@ -6,21 +6,12 @@
 #include <vector>
 
 #include "scenarios/foot/bone_table.h"
+#include "scenarios/foot/foot_bones.h"
 #include "scenarios/foot/landmarks.h"
 #include "simulator/base/progress.h"
 #include "simulator/mesh/bone.h"
 
 namespace hallux::scenarios {
-
-struct BoneRequest {
-  /// Base facet to head along x; 0 keeps the table's own length.
-  double length_mm = 0.0;
-  /// Medial prominence beyond the table's datum; 0 keeps the table's own bump.
-  double eminence_mm = 0.0;
-  /// Edge length of the outer surface after remeshing.
-  double edge_mm = 0.3;
-  bool with_canal = true;
-};
 
 /// What tells one bone from another beside its table.
 struct BoneKind {
