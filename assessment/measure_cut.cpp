@@ -27,15 +27,11 @@ namespace {
 using scenarios::Metric;
 using scenarios::PlannedCut;
 
-bool is_along(const PlannedCut& planned) noexcept {
-  return planned.kind == scenarios::FaceKind::AlongAxis;
-}
-
 /// A cut along the bone is planned from landmarks of depth and exit; one across it is not.
 bool is_metric_of(const scenarios::MetricName& metric, const PlannedCut& planned) noexcept {
   using scenarios::MetricSubject;
-  if (metric.subject == MetricSubject::CutAlong) return is_along(planned);
-  if (metric.subject == MetricSubject::CutAcross) return !is_along(planned);
+  if (metric.subject == MetricSubject::CutAlong) return planned.is_along_bone;
+  if (metric.subject == MetricSubject::CutAcross) return !planned.is_along_bone;
   return metric.subject == MetricSubject::Cut || metric.subject == MetricSubject::CutOrHinge;
 }
 
@@ -161,7 +157,7 @@ Measurement offset(const PlannedCut& planned, Metric metric, double offset_mm, c
 void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const CutFace& face,
               const RebuiltBone& rebuilt) {
   const FacePlane plan{planned.face.normal, planned.face.offset_mm};
-  const Vec3 towards = is_along(planned) ? plan.normal : Vec3{1.0, 0.0, 0.0};
+  const Vec3 towards = planned.is_along_bone ? plan.normal : Vec3{1.0, 0.0, 0.0};
   const FaceMetrics metrics =
       measure_face(face.samples_in_bone_mm, face.plane, plan,
                    {planned.entry_point_in_bone_mm, planned.exit_point_in_bone_mm, towards});
@@ -171,7 +167,7 @@ void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const C
   made.push_back(measurement(planned, Metric::AngleDeg, metrics.angle_deg, frozen,
                              metrics.worst_point_in_bone_mm));
   made.back().direction = scenarios::direction_text(deepest_direction(face.plane, plan));
-  if (!is_along(planned)) {
+  if (!planned.is_along_bone) {
     made.back().detail = edges_of(face, plan);
     made.push_back(tilt(planned, Metric::TransverseTiltDeg, metrics.transverse_deg, frozen,
                         "medial", "lateral"));
@@ -187,7 +183,7 @@ void add_face(std::vector<Measurement>& made, const PlannedCut& planned, const C
   made.push_back(offset(planned, Metric::EntryMm, metrics.entry_mm, towards, frozen,
                         planned.entry_point_in_bone_mm));
   // A face across the bone without a hinge runs out all around it.
-  if (!is_along(planned) && planned.hinge.empty()) {
+  if (!planned.is_along_bone && planned.hinge.empty()) {
     made.push_back(absent_of(planned, Metric::ExitMm, Absence::Undefined));
     return;
   }
@@ -271,12 +267,12 @@ std::vector<Measurement> measure_cut(std::size_t cut, const Evidence& evidence) 
                            planned.exit_point_in_bone_mm};
   std::vector<Measurement> made;
   add_face(made, planned, face, rebuilt);
-  if (is_along(planned)) add_resection(made, planned, plan, face, rebuilt);
+  if (planned.is_along_bone) add_resection(made, planned, plan, face, rebuilt);
   add_flatness(made, planned,
                measure_flatness(
                    cutting_tooth_points(evidence.recording, rebuilt, evidence.bone, face.kerf)));
   add_ledges(made, planned, faces, rebuilt);
-  if (is_along(planned))
+  if (planned.is_along_bone)
     add_harm(made, planned, worst_harm(faces, rebuilt, plan), rebuilt, face.kerf);
   add_break_throughs(
       made, planned, faces, rebuilt,

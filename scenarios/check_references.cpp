@@ -7,37 +7,15 @@
 #include <set>
 #include <string>
 
-#include "scenarios/json_node.h"
+#include "scenarios/check_names.h"
+#include "scenarios/format_2/check_operation.h"
 #include "scenarios/metric_names.h"
 
 namespace hallux::scenarios {
 namespace {
 
-std::string path_of(std::string_view list, std::size_t index, std::string_view key) {
-  return std::string(list) + "[" + std::to_string(index) + "]." + std::string(key);
-}
-
-std::string is_text(std::string_view text) { return "is \"" + std::string(text) + "\""; }
-
 std::string points_text(std::int64_t milli) {
   return text_of_number(static_cast<double>(milli) / 1000.0);
-}
-
-template <typename Part>
-void check_names(const std::vector<Part>& parts, std::string Part::*name, std::string_view list,
-                 std::string_view key, std::string_view file) {
-  std::set<std::string_view> seen;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (seen.insert(parts[i].*name).second) continue;
-    refuse(file, path_of(list, i, key), is_text(parts[i].*name) + ", which is already taken",
-           "give each its own");
-  }
-}
-
-template <typename Part>
-bool has_name(const std::vector<Part>& parts, std::string_view name) {
-  return std::any_of(parts.begin(), parts.end(),
-                     [&](const Part& part) { return part.name == name; });
 }
 
 /// What a part is about: where it stands in the file, and what it says.
@@ -46,23 +24,6 @@ struct Subject {
   std::size_t index;
   std::string_view cut, hinge, zone = {};
 };
-
-template <typename Part>
-void check_named(const std::vector<Part>& parts, std::string_view named, std::string_view what,
-                 const std::string& path, std::string_view file) {
-  if (has_name(parts, named)) return;
-  std::string mend = "name one of the " + std::string(what) + "s:";
-  for (const Part& known : parts) mend += " " + known.name;
-  refuse(file, path,
-         named.empty() ? "is missing" : is_text(named) + ", which is no " + std::string(what),
-         mend);
-}
-
-void refuse_named(std::string_view named, std::string_view what, const std::string& path,
-                  std::string_view file) {
-  if (named.empty()) return;
-  refuse(file, path, is_text(named), "remove it: this is not about one " + std::string(what));
-}
 
 void refuse_all_named(const Subject& part, std::string_view file) {
   refuse_named(part.cut, "cut", path_of(part.list, part.index, "cut"), file);
@@ -80,7 +41,7 @@ void check_zone(const Scenario& scenario, const Subject& part, std::string_view 
 
 void check_lies_across(const Scenario& scenario, const Subject& part, std::string_view file) {
   for (const ReferenceCut& cut : scenario.cuts) {
-    if (cut.name != part.cut || cut.face.kind != FaceKind::AlongAxis) continue;
+    if (cut.name != part.cut || !lies_along_bone(cut)) continue;
     refuse(file, path_of(part.list, part.index, "cut"), is_text(part.cut),
            "name a cut across the bone, or another metric");
   }
@@ -117,8 +78,7 @@ void check_step_subject(const Scenario& scenario, std::size_t index, std::string
       return check_subject(scenario, subject, MetricSubject::Hinge, file);
     case StepKind::Remove:
       return check_subject(scenario, subject, MetricSubject::CutOrHinge, file);
-    case StepKind::Verify:
-    case StepKind::Finish:
+    default:
       refuse_named(step.cut, "cut", path_of("steps", index, "cut"), file);
       refuse_named(step.hinge, "hinge", path_of("steps", index, "hinge"), file);
   }
@@ -339,8 +299,12 @@ void check_references(const Scenario& scenario, std::string_view file) {
   check_names(scenario.rubric.groups, &RubricGroup::name, "rubric.groups", "name", file);
   check_names(scenario.rubric.items, &RubricItem::id, "rubric.items", "id", file);
   check_names(scenario.rubric.gates, &Gate::name, "rubric.gates", "name", file);
-  check_hinges(scenario, file);
-  check_steps(scenario, file);
+  if (scenario.format == 1) {
+    check_hinges(scenario, file);
+    check_steps(scenario, file);
+  } else {
+    check_operation(scenario, file);
+  }
   check_rubric(scenario, file);
   check_proof(scenario, file);
 }

@@ -26,4 +26,16 @@ simulator::Bone make_patient(const Scenario& scenario, const Progress& progress,
   return make_asked(scenario, scenario.patient, bones, progress);
 }
 
+std::vector<simulator::Bone> make_patient_bones(const Scenario& scenario, const Progress& progress,
+                                                std::span<const FootBone> bones) {
+  const double share = 1.0 / static_cast<double>(1 + scenario.further_bones.size());
+  std::vector<simulator::Bone> made;
+  made.push_back(make_asked(scenario, scenario.patient, bones, part_of(progress, 0.0, share)));
+  for (const PatientRequest& further : scenario.further_bones) {
+    const double from = share * static_cast<double>(made.size());
+    made.push_back(make_asked(scenario, further, bones, part_of(progress, from, from + share)));
+  }
+  return made;
+}
+
 }  // namespace hallux::scenarios

@@ -21,5 +21,9 @@ const FootBone& foot_bone_of(const Scenario& scenario, const PatientRequest& req
 /// errors  ScenarioError (see make_bone, foot_bone_of)
 simulator::Bone make_patient(const Scenario& scenario, const Progress& progress = {},
                              std::span<const FootBone> bones = foot_bones());
+/// All bones of the patient, in the order in which the scenario asks for them.
+std::vector<simulator::Bone> make_patient_bones(const Scenario& scenario,
+                                                const Progress& progress = {},
+                                                std::span<const FootBone> bones = foot_bones());
 
 }  // namespace hallux::scenarios

@@ -1,13 +1,18 @@
 /// Faces come from landmarks of this bone, so a plan is made in an order: cuts that stand alone,
-/// the hinge in the first of them, then the cut through the hinge, and last the zones. Normals
-/// point into the waste. Where a plane misses the bone, or the landmarks of an axis coincide, the
-/// cut is refused with its path: a patient that the scenario cannot be done on is no patient of it.
+/// the hinge in the first of them, then the cut through the hinge, and last the zones and what
+/// holds the fragments. Normals point into the waste. Where a plane misses the bone, or the
+/// landmarks of an axis coincide, the cut is refused with its path: a patient that the scenario
+/// cannot be done on is no patient of it.
 #include "scenarios/plan.h"
 
 #include <algorithm>
-#include <optional>
 
-#include "scenarios/landmark_of.h"
+#include "scenarios/faces/face_section.h"
+#include "scenarios/faces/lay_face.h"
+#include "scenarios/fixation/plan_fixation.h"
+#include "scenarios/geometry/ground.h"
+#include "scenarios/geometry/part_path.h"
+#include "simulator/base/check.h"
 #include "simulator/base/elementary.h"
 
 namespace hallux::scenarios {
@@ -15,190 +20,213 @@ namespace {
 
 using simulator::Bone;
 
-/// Shorter than this a direction between two landmarks says nothing [mm, or the sine of an angle].
-constexpr double direction_length_min = 1.0e-3;
-
-Vec3 unit_or_refuse(const Vec3& direction, const std::string& cut_path, std::string_view what) {
-  const double length = length_of(direction);
-  if (!(length > direction_length_min)) {
-    throw ScenarioError(cut_path + ": " + std::string(what) + "; name other axis landmarks");
-  }
-  return direction / length;
-}
-
-Vec3 direction_of(std::string_view side) {
-  if (side == "distal") return {1.0, 0.0, 0.0};
-  if (side == "proximal") return {-1.0, 0.0, 0.0};
-  if (side == "dorsal") return {0.0, 1.0, 0.0};
-  if (side == "plantar") return {0.0, -1.0, 0.0};
-  return {0.0, 0.0, side == "lateral" ? 1.0 : -1.0};
-}
-
-/// One cut on its way to a plan: what the scenario asks, the bone, and the words that a refusal
-/// begins with.
-struct Asked {
-  const Scenario& scenario;
-  const ReferenceCut& cut;
-  const Bone& bone;
-  std::string path;
-};
-
-/// Towards the waste, square to the axis, then turned about the axis. For an axis that points
-/// distally (+x) the turn raises the dorsal component of a medial normal, so the plane runs further
-/// medial as it goes plantar.
-Vec3 normal_along(const Asked& asked, const Vec3& axis) {
-  const Vec3 side = direction_of(asked.cut.waste_side);
-  const Vec3 square = unit_or_refuse(side - glm::dot(side, axis) * axis, asked.path,
-                                     "the axis runs from the kept side to the waste");
-  const double tilt_rad = asked.cut.face.frontal_tilt_rad;
-  return elementary::cos(tilt_rad) * square + elementary::sin(tilt_rad) * glm::cross(axis, square);
-}
-
-void plan_along_axis(const Asked& asked, const Vec3& axis, PlannedCut& planned) {
-  const ReferenceCut& cut = asked.cut;
-  // The axis says distal whichever way round the file names its ends; the tilt is counted about it.
-  planned.axis = axis.x < 0.0 ? -axis : axis;
-  planned.face.normal = normal_along(asked, planned.axis);
-  planned.face.offset_mm =
-      glm::dot(planned.face.normal, landmark_of(asked.bone, cut.face.through, asked.path)) +
-      cut.face.offset_mm;
-  planned.depth_point_in_bone_mm = landmark_of(asked.bone, cut.depth_landmark, asked.path);
-  planned.exit_point_in_bone_mm = landmark_of(asked.bone, cut.exit_landmark, asked.path);
-  planned.depth_mm =
-      planned.face.offset_mm - glm::dot(planned.face.normal, planned.depth_point_in_bone_mm);
-}
-
-/// Dorsal, as far as it lies in the face with this normal.
-Vec3 dorsal_in(const Vec3& normal, const std::string& path) {
-  const Vec3 dorsal = direction_of("dorsal");
-  return unit_or_refuse(dorsal - glm::dot(dorsal, normal) * normal, path,
-                        "its face lies level with the sole");
-}
-
-double tangent(double angle_rad) { return elementary::sin(angle_rad) / elementary::cos(angle_rad); }
-
-void plan_transverse(const Asked& asked, const Vec3& axis, PlannedCut& planned) {
-  const LandmarkPlane& face = asked.cut.face;
-  const Vec3 dorsal = direction_of("dorsal");
-  const Vec3 lateral = axis.z < 0.0 ? -axis : axis;
-  const Vec3 distal = unit_or_refuse(glm::cross(dorsal, lateral), asked.path,
-                                     "the line between its axis landmarks runs dorsally");
-  const Vec3 tilted =
-      glm::normalize(distal + tangent(face.sagittal_tilt_rad) * dorsal +
-                     tangent(face.transverse_tilt_rad) * glm::cross(distal, dorsal));
-  planned.face.normal = asked.cut.waste_side == "distal" ? tilted : -tilted;
-  planned.face.offset_mm =
-      glm::dot(planned.face.normal,
-               landmark_of(asked.bone, face.through, asked.path) + Vec3{face.offset_mm, 0.0, 0.0});
-  planned.axis = dorsal_in(tilted, asked.path);
-}
-
-void plan_through_hinge(const Asked& asked, const Plan& plan, PlannedCut& planned) {
-  const PlannedHinge& hinge = *find_hinge(plan, asked.cut.face.through);
-  const simulator::HingeLine& line = hinge.bridge.line;
-  const Vec3 first = glm::cross(line.axis, line.outward);
-  const Vec3 distal = first.x < 0.0 ? -first : first;
-  const Vec3 turned =
-      elementary::cos(hinge.wedge_rad) * distal + elementary::sin(hinge.wedge_rad) * line.outward;
-  planned.face.normal = asked.cut.waste_side == "distal" ? turned : -turned;
-  planned.face.offset_mm = glm::dot(planned.face.normal, line.point_in_bone_mm);
-  planned.axis = line.axis;
-}
-
-/// The point of the bone's section by the face that lies furthest in the direction; nothing where
-/// the face misses.
-std::optional<Vec3> furthest_in_face(const ReferenceFace& face, const simulator::IndexedMesh& mesh,
-                                     const Vec3& direction) {
-  std::optional<Vec3> furthest;
-  for (const simulator::Triangle& triangle : mesh.triangles) {
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      const Vec3& from = mesh.points_mm[triangle[corner]];
-      const Vec3& to = mesh.points_mm[triangle[(corner + 1) % 3]];
-      const double from_mm = glm::dot(face.normal, from) - face.offset_mm;
-      const double to_mm = glm::dot(face.normal, to) - face.offset_mm;
-      if ((from_mm > 0.0) == (to_mm > 0.0)) continue;
-      const Vec3 point = from + from_mm / (from_mm - to_mm) * (to - from);
-      if (!furthest || glm::dot(direction, point) > glm::dot(direction, *furthest)) {
-        furthest = point;
-      }
-    }
-  }
-  return furthest;
-}
-
-PlannedCut plan_cut(const Asked& asked, const Plan& plan) {
-  const LandmarkPlane& face = asked.cut.face;
-  PlannedCut planned;
-  planned.name = asked.cut.name;
-  planned.kind = face.kind;
-  if (face.kind == FaceKind::ThroughHinge) {
-    plan_through_hinge(asked, plan, planned);
-  } else {
-    const Vec3 axis = unit_or_refuse(landmark_of(asked.bone, face.axis_to, asked.path) -
-                                         landmark_of(asked.bone, face.axis_from, asked.path),
-                                     asked.path, "the landmarks of its axis coincide");
-    if (face.kind == FaceKind::AlongAxis) plan_along_axis(asked, axis, planned);
-    if (face.kind == FaceKind::Transverse) plan_transverse(asked, axis, planned);
-  }
-  const std::optional<Vec3> entry =
-      furthest_in_face(planned.face, asked.bone.outer, direction_of(asked.cut.approach));
-  if (!entry) {
-    throw ScenarioError(asked.path + ": its plane misses the bone \"" + asked.bone.name +
-                        "\"; mend face.offset_mm or face.through");
-  }
-  planned.entry_point_in_bone_mm = *entry;
-  if (face.kind != FaceKind::AlongAxis) planned.depth_point_in_bone_mm = *entry;
-  return planned;
-}
-
-/// A line that stays planned_mm inside the bone's furthest point of the face.
-PlannedHinge plan_hinge(const Scenario& scenario, const ReferenceHinge& hinge, const Plan& plan,
-                        const Bone& bone, const std::string& path) {
-  const PlannedCut& first = *find_cut(plan, hinge.first_cut);
-  const Vec3 across = glm::cross(first.face.normal, first.axis);
-  const Vec3 outward = glm::dot(across, direction_of(hinge.side)) < 0.0 ? -across : across;
-  const Vec3 far = furthest_in_face(first.face, bone.outer, outward).value();
-  const Vec3 point_mm = far - hinge.thickness_mm * outward;
-  PlannedHinge planned{hinge.name,
-                       hinge.first_cut,
-                       hinge.second_cut,
-                       {.line = {point_mm, first.axis, outward, hinge.thickness_mm},
-                        .breaks_below_mm = hinge.breaks_below_mm,
-                        .bends_up_to_mm = hinge.bends_up_to_mm},
-                       0.0,
-                       hinge.target_high_mm};
-  if (glm::dot(outward, point_mm - first.entry_point_in_bone_mm) <= hinge.thickness_mm) {
-    throw ScenarioError(path + ": the bone \"" + bone.name +
-                        "\" is too thin for it; mend thickness_mm or the face of \"" +
-                        hinge.first_cut + "\"");
-  }
-  for (const ReferenceCut& cut : scenario.cuts) {
-    if (cut.name == hinge.second_cut) planned.wedge_rad = cut.face.wedge_rad;
-  }
-  return planned;
-}
-
-std::string path_of(const Scenario& scenario, std::string_view list, std::size_t index,
-                    const std::string& name) {
-  return scenario.name + ": " + std::string(list) + "[" + std::to_string(index) + "] \"" + name +
-         "\"";
-}
-
-/// Cuts of these kinds, in the order of the file.
-void plan_cuts(const Scenario& scenario, const Bone& bone, bool is_through_hinge, Plan& plan) {
-  for (std::size_t i = 0; i < scenario.cuts.size(); ++i) {
-    const ReferenceCut& cut = scenario.cuts[i];
-    if ((cut.face.kind == FaceKind::ThroughHinge) != is_through_hinge) continue;
-    plan.cuts[i] = plan_cut({scenario, cut, bone, path_of(scenario, "cuts", i, cut.name)}, plan);
-  }
-}
-
 template <typename Part>
 const Part* find_named(const std::vector<Part>& parts, std::string_view name) noexcept {
   const auto found =
       std::find_if(parts.begin(), parts.end(), [&](const Part& part) { return part.name == name; });
   return found == parts.end() ? nullptr : &*found;
 }
+
+/// Of a face in the bone, within its window.
+std::optional<Vec3> furthest(const PlannedCut& planned, const Bone& bone, const Vec3& direction) {
+  if (planned.window)
+    return furthest_in_window(planned.face, *planned.window, bone.outer, direction);
+  return furthest_in_face(planned.face, bone.outer, direction);
+}
+
+/// Lays one part after another; what waits for another part is laid in a later round.
+class Planner {
+ public:
+  Planner(const Scenario& scenario, std::span<const Bone> bones)
+      : scenario_(scenario),
+        ground_(scenario, bones),
+        has_cut_(scenario.cuts.size(), false),
+        has_hinge_(scenario.hinges.size(), false) {
+    plan_.cuts.resize(scenario.cuts.size());
+    plan_.hinges.resize(scenario.hinges.size());
+  }
+
+  Plan planned() {
+    while (plans_cuts() || plans_hinges()) {
+    }
+    const auto is_true = [](bool is_planned) { return is_planned; };
+    CHECK(std::ranges::all_of(has_cut_, is_true) && std::ranges::all_of(has_hinge_, is_true));
+    for (const PlannedHinge& hinge : plan_.hinges) join(hinge);
+    plan_.danger_zones = plan_zones(scenario_, ground_);
+    plan_.joint_surfaces = plan_joint_surfaces(scenario_, ground_);
+    plan_.fixation = plan_fixation(scenario_, ground_, plan_.cuts, plan_.joint_surfaces);
+    return std::move(plan_);
+  }
+
+ private:
+  /// Of what a face is made from, the names of hinges and cuts are to be planned before.
+  bool is_at_hand(const std::string& name) const {
+    for (std::size_t i = 0; i < scenario_.hinges.size(); ++i) {
+      if (scenario_.hinges[i].name == name && !has_hinge_[i]) return false;
+    }
+    for (std::size_t i = 0; i < scenario_.cuts.size(); ++i) {
+      if (scenario_.cuts[i].name == name && !has_cut_[i]) return false;
+    }
+    return true;
+  }
+
+  bool is_at_hand(const ReferenceCut& cut) const {
+    const LandmarkPlane& face = cut.face;
+    if (face.kind == FaceKind::ThroughHinge) return is_at_hand(face.through);
+    return face.kind != FaceKind::Turned ||
+           (is_at_hand(face.through) && is_at_hand(face.contains) && is_at_hand(face.turned_from));
+  }
+
+  bool plans_cuts() {
+    std::vector<std::size_t> at_hand;
+    for (std::size_t i = 0; i < scenario_.cuts.size(); ++i) {
+      if (!has_cut_[i] && is_at_hand(scenario_.cuts[i])) at_hand.push_back(i);
+    }
+    for (const std::size_t i : at_hand) {
+      plan_.cuts[i] = plan_cut(i);
+      has_cut_[i] = true;
+    }
+    return !at_hand.empty();
+  }
+
+  bool plans_hinges() {
+    bool is_any = false;
+    for (std::size_t i = 0; i < scenario_.hinges.size(); ++i) {
+      if (has_hinge_[i] || !is_at_hand(scenario_.hinges[i].first_cut)) continue;
+      plan_.hinges[i] = plan_hinge(i);
+      has_hinge_[i] = is_any = true;
+      const simulator::HingeLine& line = plan_.hinges[i].bridge.line;
+      ground_.add_line(plan_.hinges[i].name, plan_.hinges[i].bone, line.point_in_bone_mm,
+                       line.axis);
+    }
+    return is_any;
+  }
+
+  LaidFace lay(const AskedCut& asked) const {
+    const LandmarkPlane& face = asked.cut.face;
+    if (face.kind == FaceKind::AlongAxis) return lay_along_axis(asked);
+    if (face.kind == FaceKind::Transverse) return lay_transverse(asked);
+    if (face.kind == FaceKind::ThroughHinge) {
+      const PlannedHinge& hinge = *find_hinge(plan_, face.through);
+      return lay_through_hinge(asked, hinge.bridge.line, hinge.wedge_rad);
+    }
+    const PlannedCut* const from = find_cut(plan_, face.turned_from);
+    return lay_turned(asked, from == nullptr ? nullptr : &from->face);
+  }
+
+  PlannedCut plan_cut(std::size_t index) const {
+    const ReferenceCut& cut = scenario_.cuts[index];
+    const AskedCut asked{cut, ground_, ground_.bone_index(cut.bone),
+                         part_path(scenario_, "cuts", index, cut.name)};
+    const LaidFace laid = lay(asked);
+    PlannedCut planned;
+    planned.name = cut.name;
+    planned.face = laid.face;
+    planned.axis = laid.axis;
+    planned.bone = asked.bone;
+    planned.is_along_bone = lies_along_bone(cut);
+    planned.is_turned_about_hinge = find_hinge(plan_, cut.face.through) != nullptr;
+    planned.keeps_both = cut.keeps_both;
+    planned.approach_in_bone = ground_.direction(cut.approach, asked.bone, asked.path);
+    planned.window = lay_window(asked, laid.face);
+    for (std::size_t i = 0; i < scenario_.blades.size(); ++i) {
+      if (!cut.blade.empty() && scenario_.blades[i].name == cut.blade) planned.blade = i;
+    }
+    place_in_bone(asked, planned);
+    return planned;
+  }
+
+  /// Entry, depth and exit.
+  void place_in_bone(const AskedCut& asked, PlannedCut& planned) const {
+    const ReferenceCut& cut = asked.cut;
+    const Bone& bone = ground_.bone(asked.bone);
+    if (planned.is_along_bone) {
+      planned.depth_point_in_bone_mm = ground_.point(cut.depth_landmark, asked.bone, asked.path);
+      planned.exit_point_in_bone_mm = ground_.point(cut.exit_landmark, asked.bone, asked.path);
+      planned.depth_mm =
+          planned.face.offset_mm - glm::dot(planned.face.normal, planned.depth_point_in_bone_mm);
+    }
+    const std::optional<Vec3> entry = furthest(planned, bone, planned.approach_in_bone);
+    if (!entry) {
+      const char* const mend = cut.face.kind == FaceKind::Turned
+                                   ? "\"; mend face.through, its angles or the window"
+                                   : "\"; mend face.offset_mm or face.through";
+      throw ScenarioError(asked.path + ": its plane misses the bone \"" + bone.name + mend);
+    }
+    planned.entry_point_in_bone_mm = *entry;
+    if (planned.is_along_bone) return;
+    planned.depth_point_in_bone_mm = *entry;
+    planned.has_exit = cut.face.kind == FaceKind::Turned;
+    if (planned.has_exit)
+      planned.exit_point_in_bone_mm = furthest(planned, bone, -planned.approach_in_bone).value();
+  }
+
+  /// A line that stays planned_mm inside the bone's furthest point of the face.
+  PlannedHinge plan_hinge(std::size_t index) const {
+    const ReferenceHinge& hinge = scenario_.hinges[index];
+    const std::string path = part_path(scenario_, "hinges", index, hinge.name);
+    const PlannedCut& first = *find_cut(plan_, hinge.first_cut);
+    const Bone& bone = ground_.bone(first.bone);
+    const Vec3 axis =
+        hinge.along.empty()
+            ? first.axis
+            : laid_in(
+                  first.face, ground_.direction(hinge.along, first.bone, path), path + ".along",
+                  "\"" + hinge.along + "\" is square to the face of \"" + hinge.first_cut + "\"",
+                  "name a direction that lies nearer to it");
+    const Vec3 across = glm::cross(first.face.normal, axis);
+    const Vec3 side = ground_.direction(hinge.side, first.bone, path);
+    const Vec3 outward = glm::dot(across, side) < 0.0 ? -across : across;
+    const Vec3 far = furthest(first, bone, outward).value();
+    const Vec3 point_mm = far - hinge.thickness_mm * outward;
+    PlannedHinge planned{hinge.name,
+                         hinge.first_cut,
+                         hinge.second_cut,
+                         {.line = {point_mm, axis, outward, hinge.thickness_mm},
+                          .breaks_below_mm = hinge.breaks_below_mm,
+                          .bends_up_to_mm = hinge.bends_up_to_mm},
+                         0.0,
+                         hinge.target_high_mm,
+                         first.bone};
+    if (!hinge.moves.empty())
+      planned.bridge.toward_moved = ground_.direction(hinge.moves, first.bone, path);
+    if (glm::dot(outward, point_mm - first.entry_point_in_bone_mm) <= hinge.thickness_mm) {
+      throw ScenarioError(path + ": the bone \"" + bone.name +
+                          "\" is too thin for it; mend thickness_mm or the face of \"" +
+                          hinge.first_cut + "\"");
+    }
+    for (const ReferenceCut& cut : scenario_.cuts) {
+      if (cut.name == hinge.second_cut) planned.wedge_rad = cut.face.wedge_rad;
+    }
+    return planned;
+  }
+
+  /// Both cuts stop at the hinge; between turned faces lies the wedge.
+  void join(const PlannedHinge& hinge) {
+    for (PlannedCut& cut : plan_.cuts) {
+      if (cut.name != hinge.first_cut && cut.name != hinge.second_cut) continue;
+      cut.hinge = hinge.name;
+      cut.exit_point_in_bone_mm = hinge.bridge.line.point_in_bone_mm;
+      cut.has_exit = true;
+    }
+    if (scenario_.format == 1) return;
+    const auto index = static_cast<std::size_t>(&hinge - plan_.hinges.data());
+    const Vec3& first = find_cut(plan_, hinge.first_cut)->face.normal;
+    const Vec3& second = find_cut(plan_, hinge.second_cut)->face.normal;
+    if (glm::dot(first, second) > 0.0) {
+      throw ScenarioError(part_path(scenario_, "hinges", index, hinge.name) + ": \"" +
+                          hinge.first_cut + "\" and \"" + hinge.second_cut +
+                          "\" keep the same side, and no wedge lies between them; mend keep");
+    }
+    plan_.hinges[index].wedge_rad =
+        elementary::atan2(length_of(glm::cross(first, second)), -glm::dot(first, second));
+  }
+
+  const Scenario& scenario_;
+  Ground ground_;
+  Plan plan_;
+  std::vector<bool> has_cut_, has_hinge_;
+};
 
 }  // namespace
 
@@ -220,27 +248,12 @@ simulator::PlannedBridges planned_bridges(const Plan& plan) {
   return bridges;
 }
 
+Plan plan_on(const Scenario& scenario, std::span<const Bone> bones) {
+  return Planner(scenario, bones).planned();
+}
+
 Plan plan_on(const Scenario& scenario, const Bone& bone) {
-  Plan plan;
-  plan.cuts.resize(scenario.cuts.size());
-  // A hinge lies in one face and carries another.
-  plan_cuts(scenario, bone, false, plan);
-  for (std::size_t i = 0; i < scenario.hinges.size(); ++i) {
-    const ReferenceHinge& hinge = scenario.hinges[i];
-    plan.hinges.push_back(
-        plan_hinge(scenario, hinge, plan, bone, path_of(scenario, "hinges", i, hinge.name)));
-  }
-  plan_cuts(scenario, bone, true, plan);
-  for (const PlannedHinge& hinge : plan.hinges) {
-    for (PlannedCut& cut : plan.cuts) {
-      if (cut.name != hinge.first_cut && cut.name != hinge.second_cut) continue;
-      cut.hinge = hinge.name;
-      cut.exit_point_in_bone_mm = hinge.bridge.line.point_in_bone_mm;
-    }
-  }
-  plan.danger_zones = plan_zones(scenario, bone);
-  plan.joint_surfaces = plan_joint_surfaces(scenario, bone);
-  return plan;
+  return plan_on(scenario, std::span(&bone, 1));
 }
 
 }  // namespace hallux::scenarios

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "scenarios/faces/reference_face.h"
+#include "scenarios/fixation/planned_fixation.h"
 #include "scenarios/patient.h"
 #include "scenarios/planned_joints.h"
 #include "scenarios/planned_zones.h"
@@ -14,13 +17,6 @@
 #include "simulator/mesh/bone.h"
 
 namespace hallux::scenarios {
-
-/// A finished bone face: points p with normal . p = offset; the bone on the side of the normal is
-/// waste.
-struct ReferenceFace {
-  Vec3 normal{0.0, 0.0, -1.0};
-  double offset_mm = 0.0;
-};
 
 struct PlannedCut {
   std::string name;
@@ -33,11 +29,26 @@ struct PlannedCut {
   Vec3 exit_point_in_bone_mm{0.0, 0.0, 0.0};
   /// Planned signed distance of the face from the depth point, towards the waste.
   double depth_mm = 0.0;
-  FaceKind kind = FaceKind::AlongAxis;
+  /// It runs along the bone: depth and exit are landmarks; else it lies across the bone.
+  bool is_along_bone = true;
+  /// Its face was turned about the line of its hinge from the face of the hinge's first cut.
+  bool is_turned_about_hinge = false;
+  /// False where nothing says where the face is to leave the bone.
+  bool has_exit = true;
+  /// The bone beyond the kerf is kept as well.
+  bool keeps_both = false;
   /// The bone's point of this face that lies furthest on the side of the approach.
   Vec3 entry_point_in_bone_mm{0.0, 0.0, 0.0};
   /// Where the blade is to stop; empty where the cut runs through the bone.
   std::string hinge;
+  /// Unit, from the bone to the handpiece.
+  Vec3 approach_in_bone{0.0, 1.0, 0.0};
+  /// Nothing: the whole face is cut.
+  std::optional<FaceWindow> window = {};
+  /// Of the patient's bones, in whose frame all of this is said.
+  std::size_t bone = 0;
+  /// Of the scenario's blades; nothing: any.
+  std::optional<std::size_t> blade = {};
 };
 
 /// The bridge on this bone. Bone beyond its line, towards `outward`, is to stay. The faces that it
@@ -53,6 +64,8 @@ struct PlannedHinge {
   double wedge_rad = 0.0;
   /// The thickest that scores in full.
   double target_high_mm = 2.0;
+  /// Of the patient's bones.
+  std::size_t bone = 0;
 };
 
 struct Plan {
@@ -60,6 +73,7 @@ struct Plan {
   std::vector<PlannedHinge> hinges;
   std::vector<PlannedZone> danger_zones;
   std::vector<PlannedJointSurface> joint_surfaces = {};
+  PlannedFixation fixation = {};
 };
 
 /// Nothing (null) where the plan has none of that name; what is returned lives as long as the plan.
@@ -71,9 +85,12 @@ const PlannedHinge* find_hinge(const Plan& plan, std::string_view name) noexcept
 /// The bridges of the plan's hinges, in their order.
 simulator::PlannedBridges planned_bridges(const Plan& plan);
 
-/// The face of the plane on this bone.
+/// The plan on these bones, which stand in the order in which the scenario asks for them.
 /// errors  ScenarioError naming the landmark that this bone lacks, the cut whose plane misses the
-///         bone, the hinge that has no room in it, or the danger zone that lies nowhere near it
+///         bone, the hinge that has no room in it, the danger zone that lies nowhere near it, or
+///         the implant that misses what it is to hold; also for another number of bones
+Plan plan_on(const Scenario& scenario, std::span<const simulator::Bone> bones);
+/// On a patient of one bone.
 Plan plan_on(const Scenario& scenario, const simulator::Bone& bone);
 
 }  // namespace hallux::scenarios

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "scenarios/landmark_of.h"
+#include "scenarios/geometry/part_path.h"
 #include "simulator/base/elementary.h"
 
 namespace hallux::scenarios {
@@ -20,12 +20,14 @@ bool is_of_surface(const std::array<Vec3, 3>& corner_mm, const Vec3& centre_mm,
   return glm::dot(across, surface.facing_in_bone) >= elementary::cos(surface.within_rad) * size;
 }
 
-PlannedJointSurface plan_surface(const JointSurface& surface, const simulator::Bone& bone,
+PlannedJointSurface plan_surface(const JointSurface& surface, const Ground& ground,
                                  const std::string& path) {
+  const std::size_t bone_index = ground.bone_index(surface.bone);
+  const simulator::Bone& bone = ground.bone(bone_index);
   const IndexedMesh& outer = bone.outer;
   const Vec3 centre_mm =
-      landmark_of(bone, surface.around, path + ".around") + surface.offset_in_bone_mm;
-  PlannedJointSurface planned{surface.name, surface.title, centre_mm, {}};
+      ground.point(surface.around, bone_index, path + ".around") + surface.offset_in_bone_mm;
+  PlannedJointSurface planned{surface.name, surface.title, centre_mm, {}, bone_index};
   for (std::uint32_t index = 0; index < outer.triangles.size(); ++index) {
     if (is_of_surface(simulator::corners_of(outer, index), centre_mm, surface))
       planned.triangles.push_back(index);
@@ -38,13 +40,11 @@ PlannedJointSurface plan_surface(const JointSurface& surface, const simulator::B
 }  // namespace
 
 std::vector<PlannedJointSurface> plan_joint_surfaces(const Scenario& scenario,
-                                                     const simulator::Bone& bone) {
+                                                     const Ground& ground) {
   std::vector<PlannedJointSurface> planned;
   for (const JointSurface& surface : scenario.joint_surfaces) {
-    planned.push_back(plan_surface(surface, bone,
-                                   scenario.name + ": joint_surfaces[" +
-                                       std::to_string(planned.size()) + "] \"" + surface.name +
-                                       "\""));
+    planned.push_back(plan_surface(
+        surface, ground, part_path(scenario, "joint_surfaces", planned.size(), surface.name)));
   }
   return planned;
 }

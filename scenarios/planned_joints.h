@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/scenario.h"
-#include "simulator/mesh/bone.h"
+#include "scenarios/geometry/ground.h"
 
 namespace hallux::scenarios {
 
@@ -15,6 +14,8 @@ struct PlannedJointSurface {
   Vec3 centre_in_bone_mm{0.0, 0.0, 0.0};
   /// Of the bone's outer surface, ascending.
   std::vector<std::uint32_t> triangles;
+  /// Of the patient's bones.
+  std::size_t bone = 0;
 };
 
 /// In the order of the scenario. A triangle belongs to a surface where its centroid lies within the
@@ -22,6 +23,6 @@ struct PlannedJointSurface {
 /// errors  ScenarioError naming the landmark that this bone lacks, or the surface on which no
 ///         triangle lies
 std::vector<PlannedJointSurface> plan_joint_surfaces(const Scenario& scenario,
-                                                     const simulator::Bone& bone);
+                                                     const Ground& ground);
 
 }  // namespace hallux::scenarios

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "scenarios/landmark_of.h"
+#include "scenarios/geometry/part_path.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -14,10 +14,10 @@ using simulator::DangerCapsule;
 constexpr double far_mm = 60.0;
 
 /// Counted along the bone's axes from a landmark, or from the bone's origin.
-Vec3 end_of(const Bone& bone, const std::string& landmark, const Vec3& offset_mm,
-            const std::string& path) {
+Vec3 end_of(const Ground& ground, std::size_t bone, const std::string& landmark,
+            const Vec3& offset_mm, const std::string& path) {
   if (landmark.empty()) return offset_mm;
-  return landmark_of(bone, landmark, path) + offset_mm;
+  return ground.point(landmark, bone, path) + offset_mm;
 }
 
 double distance_to_line_mm(const Vec3& point_mm, const DangerCapsule& capsule) {
@@ -38,19 +38,20 @@ bool is_near(const Bone& bone, const DangerCapsule& capsule) {
 
 }  // namespace
 
-std::vector<PlannedZone> plan_zones(const Scenario& scenario, const Bone& bone) {
+std::vector<PlannedZone> plan_zones(const Scenario& scenario, const Ground& ground) {
   std::vector<PlannedZone> zones;
   for (const DangerZone& zone : scenario.danger_zones) {
-    const std::string path = scenario.name + ": danger_zones[" + std::to_string(zones.size()) +
-                             "] \"" + zone.name + "\"";
-    const DangerCapsule capsule{end_of(bone, zone.from_landmark, zone.from_in_bone_mm, path),
-                                end_of(bone, zone.to_landmark, zone.to_in_bone_mm, path),
-                                zone.radius_mm};
+    const std::string path = part_path(scenario, "danger_zones", zones.size(), zone.name);
+    const std::size_t index = ground.bone_index(zone.bone);
+    const Bone& bone = ground.bone(index);
+    const DangerCapsule capsule{
+        end_of(ground, index, zone.from_landmark, zone.from_in_bone_mm, path),
+        end_of(ground, index, zone.to_landmark, zone.to_in_bone_mm, path), zone.radius_mm};
     if (!is_near(bone, capsule)) {
       throw ScenarioError(path + ": it lies more than 60 mm from the bone \"" + bone.name +
                           "\", where no blade comes; mend from_in_bone_mm and to_in_bone_mm");
     }
-    zones.push_back({zone.name, capsule});
+    zones.push_back({zone.name, capsule, index});
   }
   return zones;
 }

@@ -4,20 +4,21 @@
 #include <string>
 #include <vector>
 
-#include "scenarios/scenario.h"
+#include "scenarios/geometry/ground.h"
 #include "simulator/contact/danger_zone.h"
-#include "simulator/mesh/bone.h"
 
 namespace hallux::scenarios {
 
 struct PlannedZone {
   std::string name;
   simulator::DangerCapsule capsule;
+  /// Of the patient's bones, in whose frame it is said.
+  std::size_t bone = 0;
 };
 
 /// In the order of the scenario.
 /// errors  ScenarioError naming the landmark that this bone lacks, or the zone that lies so far
 ///         from the bone that no blade comes there
-std::vector<PlannedZone> plan_zones(const Scenario& scenario, const simulator::Bone& bone);
+std::vector<PlannedZone> plan_zones(const Scenario& scenario, const Ground& ground);
 
 }  // namespace hallux::scenarios

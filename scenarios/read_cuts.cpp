@@ -1,17 +1,16 @@
 #include "scenarios/read_cuts.h"
 
+#include "scenarios/read_parts.h"
+#include "simulator/base/check.h"
 #include "simulator/base/units.h"
 
 namespace hallux::scenarios {
 namespace {
 
-constexpr std::size_t title_bytes_max = 120;
-constexpr std::size_t text_bytes_max = 4000;
-constexpr std::size_t origin_bytes_max = 1000;
-
 double read_tilt_rad(const JsonNode& node) { return radian_from_degree(node.number(-45.0, 45.0)); }
 
-/// Along the bone is what a face without a kind means: the first scenarios knew no other.
+/// Along the bone is what a face without a kind means: the first scenarios knew no other. Turned
+/// ones are of format 2 (format_2/read_operation.h).
 FaceKind read_face_kind(const JsonNode& node) {
   if (!node.has("kind")) return FaceKind::AlongAxis;
   const std::string kind = node.at("kind").one_of({"along_axis", "transverse", "through_hinge"});
@@ -45,6 +44,9 @@ LandmarkPlane read_face(const JsonNode& node) {
       read_axis(node, face);
       face.transverse_tilt_rad = read_tilt_rad(node.at("transverse_tilt_deg"));
       face.sagittal_tilt_rad = read_tilt_rad(node.at("sagittal_tilt_deg"));
+      break;
+    case FaceKind::Turned:
+      CHECK(false);
       break;
     case FaceKind::ThroughHinge:
       node.expect_keys({"kind", "through", "wedge_deg"});
@@ -111,16 +113,20 @@ ReferenceHinge read_hinge(const JsonNode& node) {
   hinge.first_cut = node.at("first_cut").name();
   hinge.second_cut = node.at("second_cut").name();
   hinge.side = node.at("side").one_of({"lateral", "medial"});
+  hinge.origin = node.at("origin").text(1, origin_bytes_max);
+  read_bridge(node, hinge);
+  return hinge;
+}
+
+void read_bridge(const JsonNode& node, ReferenceHinge& hinge) {
   hinge.thickness_mm = node.at("thickness_mm").number(0.1, 5.0);
   const std::vector<JsonNode> target = node.at("target_mm").list(2, 2);
   hinge.target_low_mm = target[0].number(0.1, 5.0);
   hinge.target_high_mm = target[1].number(0.1, 5.0);
   hinge.breaks_below_mm = node.at("breaks_below_mm").number(0.0, 5.0);
   hinge.bends_up_to_mm = node.at("bends_up_to_mm").number(0.1, 10.0);
-  hinge.origin = node.at("origin").text(1, origin_bytes_max);
   hinge.is_provisional = node.at("provisional").boolean();
   check_thickness(node, hinge);
-  return hinge;
 }
 
 OperationStep read_step(const JsonNode& node) {

@@ -7,113 +7,28 @@
 #include <fstream>
 
 #include "scenarios/check_references.h"
+#include "scenarios/format_2/read_operation.h"
 #include "scenarios/hidden_letters.h"
 #include "scenarios/json_node.h"
 #include "scenarios/read_cuts.h"
+#include "scenarios/read_parts.h"
 #include "scenarios/read_rubric.h"
-#include "simulator/base/units.h"
 
 namespace hallux::scenarios {
 namespace {
-
-constexpr std::size_t title_bytes_max = 120;
-constexpr std::size_t text_bytes_max = 4000;
-constexpr std::size_t origin_bytes_max = 1000;
-
-std::string read_origin(const JsonNode& node) {
-  return node.at("origin").text(1, origin_bytes_max);
-}
-
-std::string read_title(const JsonNode& node) { return node.at("title").text(1, title_bytes_max); }
 
 SourceNote read_source(const JsonNode& node) {
   node.expect_keys({"key", "text"});
   return {.key = node.at("key").text(1, 64), .text = node.at("text").text(1, origin_bytes_max)};
 }
 
-/// Nothing was found on how much harder or softer living bone is to saw: half and half as much
-/// again are ours.
-PatientRequest read_patient(const JsonNode& node, std::span<const FootBone> bones) {
-  PatientRequest patient;
-  node.expect_keys({"bone", "length_mm", "edge_mm", "origin"}, {"eminence_mm", "bone_quality"});
-  patient.bone = node.at("bone").name();
-  const FootBone* const bone = find_foot_bone(patient.bone, bones);
-  if (bone == nullptr) node.at("bone").refuse_value("use one of: " + names_of(bones));
-  if (node.has("eminence_mm") != bone->has_eminence) {
-    node.refuse_value(bone->has_eminence ? "give \"eminence_mm\""
-                                         : "remove \"eminence_mm\": the " +
-                                               std::string(bone->title) + " has none");
-  }
-  patient.length_mm = node.at("length_mm").number(bone->length_low_mm, bone->length_high_mm);
-  if (bone->has_eminence) patient.eminence_mm = node.at("eminence_mm").number(0.0, 8.0);
-  patient.edge_mm = node.at("edge_mm").number(0.2, 2.0);
-  if (node.has("bone_quality")) patient.bone_quality = node.at("bone_quality").number(0.5, 1.5);
-  patient.origin = read_origin(node);
-  return patient;
-}
-
-/// The widest blades of the forefoot and hindfoot saws bound the ranges. Nobody would saw on with a
-/// blade that takes less than a fifth, and none is sharper than a new one.
 void read_blade(const JsonNode& node, Scenario& scenario) {
   node.expect_keys(
       {"name", "width_mm", "depth_mm", "thickness_mm", "kerf_mm", "cycles_per_minute", "origin"},
       {"sharpness"});
   scenario.blade_name = node.at("name").text(1, title_bytes_max);
-  simulator::Saw& saw = scenario.saw;
-  saw.blade.width_mm = node.at("width_mm").number(2.0, 30.0);
-  saw.blade.depth_mm = node.at("depth_mm").number(5.0, 90.0);
-  saw.blade.kerf_mm = node.at("kerf_mm").number(0.1, 2.0);
-  saw.cycles_per_minute = node.at("cycles_per_minute").number(1000.0, 30000.0);
-  saw.blade.thickness_mm = node.at("thickness_mm").number(0.1, 2.0);
+  scenario.saw = read_saw(node);
   scenario.blade_origin = read_origin(node);
-  if (node.has("sharpness")) saw.sharpness = node.at("sharpness").number(0.2, 1.0);
-  if (saw.blade.thickness_mm > saw.blade.kerf_mm) {
-    node.at("kerf_mm").refuse_value("give at least the blade's thickness_mm");
-  }
-}
-
-DangerZone read_danger_zone(const JsonNode& node) {
-  node.expect_keys({"name", "title", "severity", "from_in_bone_mm", "to_in_bone_mm", "radius_mm",
-                    "checked", "origin"},
-                   {"from_landmark", "to_landmark"});
-  DangerZone zone{.name = node.at("name").name(),
-                  .severity = node.at("severity").one_of({"critical", "major", "minor"}),
-                  .from_in_bone_mm = node.at("from_in_bone_mm").vector(-200.0, 200.0),
-                  .to_in_bone_mm = node.at("to_in_bone_mm").vector(-200.0, 200.0),
-                  .radius_mm = node.at("radius_mm").number(0.1, 20.0),
-                  .title = read_title(node),
-                  .is_checked = node.at("checked").boolean(),
-                  .origin = read_origin(node)};
-  zone.from_landmark = node.name_where_given("from_landmark");
-  zone.to_landmark = node.name_where_given("to_landmark");
-  if (zone.from_in_bone_mm == zone.to_in_bone_mm && zone.from_landmark == zone.to_landmark) {
-    node.at("to_in_bone_mm").refuse_value("give the other end of the structure");
-  }
-  return zone;
-}
-
-Vec3 read_direction(const JsonNode& node) {
-  const Vec3 direction = node.vector(-1.0, 1.0);
-  const double length = length_of(direction);
-  if (length < 0.1) node.refuse_value("give the parts of a direction, the largest near 1");
-  return direction / length;
-}
-
-JointSurface read_joint_surface(const JsonNode& node) {
-  node.expect_keys(
-      {"name", "title", "around", "radius_mm", "facing_in_bone", "within_deg", "checked", "origin"},
-      {"offset_in_bone_mm"});
-  return {.name = node.at("name").name(),
-          .title = read_title(node),
-          .around = node.at("around").name(),
-          .offset_in_bone_mm = node.has("offset_in_bone_mm")
-                                   ? node.at("offset_in_bone_mm").vector(-60.0, 60.0)
-                                   : Vec3{0.0, 0.0, 0.0},
-          .radius_mm = node.at("radius_mm").number(0.5, 40.0),
-          .facing_in_bone = read_direction(node.at("facing_in_bone")),
-          .within_rad = radian_from_degree(node.at("within_deg").number(1.0, 180.0)),
-          .is_checked = node.at("checked").boolean(),
-          .origin = read_origin(node)};
 }
 
 ProofFault read_proof_fault(const JsonNode& node) {
@@ -161,7 +76,6 @@ StartingPlace read_start(const JsonNode& node) {
 }
 
 void read_head(const JsonNode& node, Scenario& scenario) {
-  scenario.format = node.at("format").integer(1, 1);
   scenario.name = node.at("name").name();
   scenario.title = read_title(node);
   scenario.version = node.at("version").integer(1, 1'000'000);
@@ -176,29 +90,56 @@ void read_head(const JsonNode& node, Scenario& scenario) {
   }
 }
 
-void read_lists(const JsonNode& node, Scenario& scenario) {
-  for (const JsonNode& entry : node.at("sources").list(1, 64)) {
-    scenario.sources.push_back(read_source(entry));
+void read_places(const JsonNode& node, Scenario& scenario) {
+  for (const JsonNode& entry : node.at("danger_zones").list(0, 64)) {
+    scenario.danger_zones.push_back(read_danger_zone(entry, scenario.format));
   }
-  for (const JsonNode& entry : node.at("cuts").list(1, 16)) {
+  if (!node.has("joint_surfaces")) return;
+  for (const JsonNode& entry : node.at("joint_surfaces").list(1, 16)) {
+    scenario.joint_surfaces.push_back(read_joint_surface(entry, scenario.format));
+  }
+}
+
+/// What format 2 says in other words, as format 1 says it.
+void read_format_1(const JsonNode& root, Scenario& scenario, std::span<const FootBone> bones) {
+  root.expect_keys(
+      {"format", "name", "title", "version", "reviewed", "reviewed_by", "indication", "summary",
+       "sources", "patient", "blade", "cuts", "steps", "danger_zones", "rubric"},
+      {"hinges", "joint_surfaces", "proof", "start"});
+  read_head(root, scenario);
+  scenario.patient = read_bone_request(root.at("patient"), bones);
+  read_blade(root.at("blade"), scenario);
+  for (const JsonNode& entry : root.at("cuts").list(1, 16)) {
     scenario.cuts.push_back(read_cut(entry));
   }
-  if (node.has("hinges")) {
-    for (const JsonNode& entry : node.at("hinges").list(1, 4)) {
+  if (root.has("hinges")) {
+    for (const JsonNode& entry : root.at("hinges").list(1, 4)) {
       scenario.hinges.push_back(read_hinge(entry));
     }
   }
-  for (const JsonNode& entry : node.at("steps").list(3, 64)) {
+  for (const JsonNode& entry : root.at("steps").list(3, 64)) {
     scenario.steps.push_back(read_step(entry));
   }
-  for (const JsonNode& entry : node.at("danger_zones").list(0, 64)) {
-    scenario.danger_zones.push_back(read_danger_zone(entry));
-  }
-  if (node.has("joint_surfaces")) {
-    for (const JsonNode& entry : node.at("joint_surfaces").list(1, 16)) {
-      scenario.joint_surfaces.push_back(read_joint_surface(entry));
-    }
-  }
+}
+
+void read_format_2(const JsonNode& root, Scenario& scenario, std::span<const FootBone> bones) {
+  root.expect_keys(
+      {"format", "name", "title", "version", "reviewed", "reviewed_by", "indication", "summary",
+       "sources", "patient", "blades", "cuts", "steps", "danger_zones", "rubric"},
+      {"points", "directions", "hinges", "fragments", "shifts", "wires", "screws", "joint_surfaces",
+       "proof", "start"});
+  read_head(root, scenario);
+  read_operation(root, bones, scenario);
+}
+
+/// A file of a later program is refused by its format before anything else of it is.
+std::int32_t read_format(const JsonNode& root) {
+  constexpr std::string_view mend =
+      "this program reads formats 1 and 2; update the program, or write one of them";
+  if (!root.has("format")) return 1;
+  const std::int32_t format = root.at("format").integer(0, 1'000'000);
+  if (format != 1 && format != 2) root.at("format").refuse_value(mend);
+  return format;
 }
 
 }  // namespace
@@ -207,15 +148,17 @@ Scenario parse_scenario(std::string_view json, std::string_view name,
                         std::span<const FootBone> bones) {
   const nlohmann::json document = parse_bounded_json(json, name);
   const JsonNode root(document, name);
-  root.expect_keys(
-      {"format", "name", "title", "version", "reviewed", "reviewed_by", "indication", "summary",
-       "sources", "patient", "blade", "cuts", "steps", "danger_zones", "rubric"},
-      {"hinges", "joint_surfaces", "proof", "start"});
   Scenario scenario;
-  read_head(root, scenario);
-  scenario.patient = read_patient(root.at("patient"), bones);
-  read_blade(root.at("blade"), scenario);
-  read_lists(root, scenario);
+  scenario.format = read_format(root);
+  if (scenario.format == 1) {
+    read_format_1(root, scenario, bones);
+  } else {
+    read_format_2(root, scenario, bones);
+  }
+  for (const JsonNode& entry : root.at("sources").list(1, 64)) {
+    scenario.sources.push_back(read_source(entry));
+  }
+  read_places(root, scenario);
   if (root.has("start")) scenario.start = read_start(root.at("start"));
   scenario.rubric = read_rubric(root.at("rubric"));
   if (root.has("proof")) {
@@ -263,6 +206,11 @@ Rubric rubric_for(const Rubric& rubric, std::string_view device_class) {
     item.device_knots.clear();
   }
   return made;
+}
+
+bool lies_along_bone(const ReferenceCut& cut) noexcept {
+  if (cut.face.kind == FaceKind::Turned) return !cut.depth_landmark.empty();
+  return cut.face.kind == FaceKind::AlongAxis;
 }
 
 std::string review_label(const Scenario& scenario) {

@@ -10,7 +10,9 @@
 #include <string_view>
 #include <vector>
 
+#include "scenarios/fixation/fixation.h"
 #include "scenarios/foot/foot_bones.h"
+#include "scenarios/geometry/named_geometry.h"
 #include "scenarios/scenario_error.h"
 #include "simulator/base/embedded.h"
 #include "simulator/base/vector.h"
@@ -35,12 +37,14 @@ struct PatientRequest {
 /// Transverse    across the bone: parallel to a line between two landmarks (a joint's) and to
 ///               dorsal, tilted, offset along the bone from a third
 /// ThroughHinge  contains a hinge's line, turned about it from the face of the hinge's first cut
-enum class FaceKind { AlongAxis, Transverse, ThroughHinge };
+/// Turned        contains a point and a direction, turned about it and rolled: the one kind of
+///               format 2, which has no other
+enum class FaceKind { AlongAxis, Transverse, ThroughHinge, Turned };
 
 /// A finished bone face relative to landmarks. Works on any patient that has them. What a kind does
 /// not use stays empty.
 struct LandmarkPlane {
-  /// Landmark from which the offset counts.
+  /// Landmark from which the offset counts. Turned: the point that it contains, or a hinge.
   std::string through;
   /// Without tilts the plane contains this direction.
   std::string axis_from, axis_to;
@@ -55,22 +59,53 @@ struct LandmarkPlane {
   /// ThroughHinge: from the face of the hinge's first cut. Positive: distal of it, open on the side
   /// away from the hinge.
   double wedge_rad = 0.0;
+  /// Turned: the direction that it contains, or a hinge, whose line that is.
+  std::string contains = {};
+  /// Turned: a direction, or an earlier cut: at angle 0 the face contains `contains` and the part
+  /// of the direction square to it, or lies in the face of that cut.
+  std::string turned_from = {};
+  /// Turned, by the right hand: about `contains`, and then about the direction in the face that is
+  /// square to it.
+  double angle_rad = 0.0, roll_rad = 0.0;
+};
+
+/// Where a face ends: only beyond a point along a direction, and between two limits across it.
+struct ReferenceWindow {
+  std::string beyond, along;
+  /// The direction in which the limits are counted from the point: square to `along` in the face,
+  /// on this side. Without limits it reaches as far as the bone.
+  std::string across = {};
+  std::optional<Range> limits = {};
 };
 
 struct ReferenceCut {
   std::string name, title;
   LandmarkPlane face;
-  /// Where the normal points; the other side is kept. AlongAxis: "medial" or "lateral"; else
-  /// "proximal" or "distal".
+  /// Where the normal points; the other side is kept. AlongAxis: "medial" or "lateral"; Transverse
+  /// and ThroughHinge: "proximal" or "distal"; Turned: empty, see keep.
   std::string waste_side;
-  /// The side from which the blade comes: "dorsal", "plantar", "medial" or "lateral".
+  /// The side from which the blade comes: "dorsal", "plantar", "medial" or "lateral"; in format 2 a
+  /// direction, from the bone to the handpiece.
   std::string approach;
-  /// AlongAxis: where depth is measured.
+  /// AlongAxis: where depth is measured. Turned: a point, where the face runs along the bone.
   std::string depth_landmark;
-  /// AlongAxis: where the face must run flush into the shaft.
+  /// AlongAxis: where the face must run flush into the shaft. Turned: a point, as depth_landmark.
   std::string exit_landmark;
   std::string origin;
+  /// Turned: the direction of the side whose finished face lies in the plane.
+  std::string keep = {};
+  /// Turned: the bone beyond the kerf is kept as well.
+  bool keeps_both = false;
+  std::optional<ReferenceWindow> window = {};
+  /// Empty: the patient's first.
+  std::string bone = {};
+  /// One of blades; empty: any.
+  std::string blade = {};
 };
+
+/// It is planned from a landmark of depth and one where it leaves the bone flush; any other lies
+/// across the bone.
+bool lies_along_bone(const ReferenceCut& cut) noexcept;
 
 /// A bridge of bone that two cuts leave standing, and about which the wedge between them is closed.
 /// Its line lies in the face of the first cut, parallel to dorsal, `thickness_mm` inside the cortex
@@ -78,7 +113,7 @@ struct ReferenceCut {
 struct ReferenceHinge {
   std::string name, title;
   std::string first_cut, second_cut;
-  /// "lateral" or "medial": the cortex that is kept.
+  /// "lateral" or "medial": the cortex that is kept. In format 2 a direction.
   std::string side;
   /// Planned, where the bone reaches furthest to that side.
   double thickness_mm = 1.0;
@@ -89,17 +124,63 @@ struct ReferenceHinge {
   double bends_up_to_mm = 2.5;
   std::string origin;
   bool is_provisional = true;
+  /// Format 2: the direction to which its line is parallel, as far as the first face lets it;
+  /// empty: dorsal.
+  std::string along = {};
+  /// Format 2: the direction of the half that turns when it is closed; empty: distal.
+  std::string moves = {};
 };
 
-enum class StepKind { Verify, Cut, Remove, Close, Finish };
+/// Verify         the case is looked at
+/// Cut            a planned face is sawn
+/// Remove         a piece or a wedge comes out
+/// Close          a wedge is closed on its hinge
+/// Finish         all is done
+/// Mark           a point is marked on the bone
+/// GuideWire      a wire is set that leads the saw
+/// Retract        what lies before the bone is held away
+/// Complete       a hinge is weakened until it bends
+/// Shift          a fragment is brought to its place
+/// TemporaryWire  wires hold the fragment until it is fixed
+/// Fix            wires or screws hold it for good
+/// Trim           an overhang is sawn off along a planned face
+/// The last eight are of format 2.
+enum class StepKind {
+  Verify,
+  Cut,
+  Remove,
+  Close,
+  Finish,
+  Mark,
+  GuideWire,
+  Retract,
+  Complete,
+  Shift,
+  TemporaryWire,
+  Fix,
+  Trim
+};
 
 struct OperationStep {
   StepKind kind = StepKind::Verify;
   std::string title, text;
-  /// Cut: which; Remove: the cut whose piece comes out, unless it is a wedge.
+  /// Cut, Trim: which; Remove: the cut whose piece comes out, unless it is a wedge.
   std::string cut;
-  /// Remove: the hinge whose wedge comes out; Close: the hinge that is closed.
+  /// Remove: the hinge whose wedge comes out; Close, Complete: the hinge.
   std::string hinge;
+  /// The rest is of format 2, where steps are no chain.
+  std::string id = {};
+  /// Ids of steps and names of groups that must be done before.
+  std::vector<std::string> after = {};
+  /// The group of alternatives of which one suffices; empty: none.
+  std::string one_of = {};
+  bool is_optional = false;
+  /// Mark: which.
+  std::string point = {};
+  /// Shift: which.
+  std::string shift = {};
+  /// GuideWire, TemporaryWire, Fix: which.
+  std::vector<std::string> implants = {};
 };
 
 /// All of the weight up to `full`, none from `zero` on, linear between; where `full` is the greater
@@ -189,6 +270,8 @@ struct DangerZone {
   bool is_checked = false;
   std::string origin;
   std::string from_landmark = {}, to_landmark = {};
+  /// Empty: the patient's first.
+  std::string bone = {};
 };
 
 /// A part of the bone's surface that is a joint's: where its outer surface lies within `radius_mm`
@@ -205,6 +288,8 @@ struct JointSurface {
   /// True once an anatomist or surgeon has confirmed where it lies.
   bool is_checked = false;
   std::string origin;
+  /// Empty: the patient's first.
+  std::string bone = {};
 };
 
 /// A performance that proves the rubric: the perfect hand with one fault, and what that must cost.
@@ -239,6 +324,13 @@ struct SourceNote {
   std::string key, text;
 };
 
+/// One of the blades that an operation lays out.
+struct BladeOffer {
+  std::string name, title;
+  simulator::Saw saw;
+  std::string origin;
+};
+
 struct Scenario {
   std::int32_t format = 1;
   std::string name, title;
@@ -269,6 +361,16 @@ struct Scenario {
   std::vector<JointSurface> joint_surfaces = {};
   /// None in older texts.
   std::vector<ProofFault> proof = {};
+  /// All that follows is of format 2. Bones beside `patient`, which is the first.
+  std::vector<PatientRequest> further_bones = {};
+  std::vector<NamedPoint> points = {};
+  std::vector<NamedDirection> directions = {};
+  std::vector<Fragment> fragments = {};
+  std::vector<FragmentShift> shifts = {};
+  /// Wires, then screws, each in the order of the file.
+  std::vector<Implant> implants = {};
+  /// At least one, of which the first is `saw`.
+  std::vector<BladeOffer> blades = {};
 };
 
 /// The scenario in a JSON text; `name` stands in the messages.

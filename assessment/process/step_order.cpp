@@ -38,18 +38,18 @@ std::optional<std::int64_t> sawn_tick(const Evidence& evidence, const std::strin
 std::optional<std::int64_t> tick_of(const Evidence& evidence, std::size_t index) {
   const OperationStep& step = evidence.scenario.steps[index];
   switch (step.kind) {
-    case StepKind::Verify:
-      return last_tick_of(evidence, CutEventKind::StepDone, static_cast<std::int32_t>(index));
     case StepKind::Cut:
+    case StepKind::Trim:
       return sawn_tick(evidence, step.cut);
     case StepKind::Remove:
       return last_tick_of(evidence, CutEventKind::PieceRemoved);
     case StepKind::Close:
       return last_tick_of(evidence, CutEventKind::HingeClosed);
     case StepKind::Finish:
-      break;
+      return last_tick_of(evidence, CutEventKind::Finished);
+    default:
+      return last_tick_of(evidence, CutEventKind::StepDone, static_cast<std::int32_t>(index));
   }
-  return last_tick_of(evidence, CutEventKind::Finished);
 }
 
 using StepTicks = std::vector<std::optional<std::int64_t>>;

@@ -72,7 +72,7 @@ double rms_bound_mm(const CutFace& face, const FacePlane& plan, double slope) {
 std::optional<double> bound_by_face(Metric metric, const CutFace& face, const PlannedCut& cut) {
   const FacePlane plan{cut.face.normal, cut.face.offset_mm};
   const double slope = sine_between(face.plane.normal, plan.normal);
-  const bool is_along = cut.kind == scenarios::FaceKind::AlongAxis;
+  const bool is_along = cut.is_along_bone;
   const Vec3 towards = is_along ? plan.normal : Vec3{1.0, 0.0, 0.0};
   switch (metric) {
     case Metric::AngleDeg:

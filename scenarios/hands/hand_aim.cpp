@@ -25,15 +25,6 @@ using simulator::SectionRegion;
 
 constexpr double tilt_spread_rad = 0.5;  ///< of the axis of a tilt about the blade's tooth line
 
-Vec3 side_direction(std::string_view side) {
-  if (side == "dorsal") return {0.0, 1.0, 0.0};
-  if (side == "plantar") return {0.0, -1.0, 0.0};
-  if (side == "medial") return {0.0, 0.0, -1.0};
-  if (side == "lateral") return {0.0, 0.0, 1.0};
-  throw ScenarioError("a hand cannot approach from \"" + std::string(side) +
-                      "\"; use dorsal, plantar, medial or lateral");
-}
-
 /// One cut to aim at.
 struct Target {
   const PlannedCut& cut;
@@ -49,7 +40,7 @@ struct Target {
 /// over between two of them.
 RigidTransform blade_frame(const ReferenceFace& face, const Target& target) {
   const Vec3& normal = face.normal;
-  const bool is_turned = target.cut.kind != FaceKind::AlongAxis && normal.x < 0.0;
+  const bool is_turned = !target.cut.is_along_bone && normal.x < 0.0;
   const Vec3 z = is_turned ? -normal : normal;
   const Vec3 x = target.feed_hint - glm::dot(target.feed_hint, z) * z;
   const Vec3 origin =
@@ -130,7 +121,7 @@ AimErrors draw_errors(const Target& target, const HandSkill& skill) {
                random.truncated_normal(skill.location_mean_mm, skill.location_deviation_mm, 2.0));
   // Along a bone a hand sees the direction better than its blade's tilt about it; across it sees
   // neither.
-  const double spread_rad = target.cut.kind == FaceKind::AlongAxis ? tilt_spread_rad : 0.5 * pi;
+  const double spread_rad = target.cut.is_along_bone ? tilt_spread_rad : 0.5 * pi;
   const double turn_rad =
       0.5 * pi + random.uniform(-1.0, 1.0) * spread_rad + (random.uniform() < 0.5 ? 0.0 : pi);
   const double side = random.uniform() < 0.5 ? -1.0 : 1.0;
@@ -279,11 +270,12 @@ double stop_error_mm(const PlannedHinge& hinge, const PlannedCut& cut, const Han
 Target target_of(const Scenario& scenario, const Plan& plan, std::size_t index,
                  const KnownBone& known, std::uint64_t seed) {
   const PlannedCut& cut = plan.cuts[index];
-  const bool is_along = cut.kind == FaceKind::AlongAxis;
   const Vec3 near =
-      is_along ? find_landmark(known.bone, "eminence_apex").value_or(cut.depth_point_in_bone_mm)
-               : cut.entry_point_in_bone_mm;
-  return {cut,  -side_direction(scenario.cuts.at(index).approach), near, scenario.saw.blade.kerf_mm,
+      cut.is_along_bone
+          ? find_landmark(known.bone, "eminence_apex").value_or(cut.depth_point_in_bone_mm)
+          : cut.entry_point_in_bone_mm;
+  return {cut,  -cut.approach_in_bone,
+          near, scenario.saw.blade.kerf_mm,
           seed, index == 0 ? std::string() : "." + cut.name};
 }
 
@@ -315,7 +307,7 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
     const AimErrors errors = draw_errors(target, skill);
     aimed = {};
     aimed.angle_error_rad = errors.angle_rad;
-    if (target.cut.kind == FaceKind::ThroughHinge && !skill.keeps_to_plan) {
+    if (target.cut.is_turned_about_hinge && !skill.keeps_to_plan) {
       const PlannedHinge& hinge = *find_hinge(plan, target.cut.hinge);
       const std::size_t first = index_of_cut(plan, hinge.first_cut);
       const AimedCut& made = aims[first];
@@ -350,7 +342,7 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
   // A face through a hinge is aimed at the end of another cut.
   for (const bool is_through_hinge : {false, true}) {
     for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
-      if ((plan.cuts[i].kind == FaceKind::ThroughHinge) == is_through_hinge) aim_one(i);
+      if (plan.cuts[i].is_turned_about_hinge == is_through_hinge) aim_one(i);
     }
   }
   return aims;

@@ -226,10 +226,9 @@ std::string_view fault_name_of(const OperationStep& step) noexcept {
       return "remove";
     case StepKind::Close:
       return "close";
-    case StepKind::Finish:
+    default:
       return {};
   }
-  return {};
 }
 
 bool is_skipped(std::span<const HandFault> faults, const OperationStep& step) noexcept {

@@ -16,16 +16,10 @@ using simulator::KerfPlane;
 using simulator::Section;
 using simulator::SectionRegion;
 
-Vec3 approach_direction(std::string_view approach) {
-  if (approach == "dorsal") return {0.0, 1.0, 0.0};
-  if (approach == "plantar") return {0.0, -1.0, 0.0};
-  return {0.0, 0.0, approach == "lateral" ? 1.0 : -1.0};
-}
-
 /// Square to the planned axis in the face, away from the side of the approach.
-Vec3 feed_of(const PlannedCut& cut, std::string_view approach) {
+Vec3 feed_of(const PlannedCut& cut) {
   const Vec3 across = unit(glm::cross(cut.face.normal, cut.axis));
-  return glm::dot(across, approach_direction(approach)) > 0.0 ? -across : across;
+  return glm::dot(across, cut.approach_in_bone) > 0.0 ? -across : across;
 }
 
 /// The middle of the blade's way: half a kerf from the face, in the waste. Its origin is the entry.
@@ -90,7 +84,7 @@ PlannedPasses planned_passes(const Scenario& scenario, const Plan& plan, std::si
   const PlannedCut& planned = plan.cuts[cut];
   const simulator::Blade& blade = scenario.saw.blade;
   PlannedPasses passes;
-  passes.feed_in_bone = feed_of(planned, scenario.cuts[cut].approach);
+  passes.feed_in_bone = feed_of(planned);
   const KerfPlane plane = plane_of(planned, passes.feed_in_bone, blade.kerf_mm);
   passes.along_in_bone = axis_y(plane.bone_from_kerf);
   std::optional<PlannedWindow> window;

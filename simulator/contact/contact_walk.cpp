@@ -28,7 +28,7 @@ ProxyMotion scaled(const ProxyMotion& motion, double share) noexcept {
 double lifted_mm(const BladeContacts& contacts, const ProxyMotion& motion) noexcept {
   double least_mm = 1.0e6;
   for (const BladeContact& contact : contacts.all()) {
-    if (!is_tooth(contact) || contact.gap_mm > on_surface_mm) continue;
+    if (!contact.is_tooth || contact.gap_mm > on_surface_mm) continue;
     least_mm = std::min(least_mm, glm::dot(contact.normal, motion_at(motion, contact)));
   }
   return least_mm < 1.0e6 ? std::max(0.0, least_mm) : 0.0;
@@ -45,7 +45,7 @@ double room_ahead_mm(const BladeContacts& contacts, const Vec3& ahead, double wa
   double room_mm = wanted_mm;
   for (const BladeContact& contact : contacts.all()) {
     const double toward = -glm::dot(contact.normal, ahead);
-    if (is_tooth(contact) || !(toward > 0.0)) continue;
+    if (contact.is_tooth || !(toward > 0.0)) continue;
     room_mm = std::min(room_mm, std::max(0.0, contact.gap_mm) / toward);
   }
   return room_mm;
@@ -54,7 +54,7 @@ double room_ahead_mm(const BladeContacts& contacts, const Vec3& ahead, double wa
 bool teeth_are_clear(const BladeContacts& contacts) noexcept {
   return std::none_of(
       contacts.all().begin(), contacts.all().end(),
-      [](const BladeContact& contact) { return is_tooth(contact) && contact.gap_mm <= leave_mm; });
+      [](const BladeContact& contact) { return contact.is_tooth && contact.gap_mm <= leave_mm; });
 }
 
 }  // namespace hallux::simulator

@@ -28,6 +28,11 @@ Scenario with_zone(const DangerZone& zone) {
   return scenario;
 }
 
+std::vector<PlannedZone> zones_on_block(const Scenario& scenario) {
+  const Bone bone = block();
+  return plan_zones(scenario, Ground(scenario, std::span(&bone, 1)));
+}
+
 DangerZone tendon() {
   DangerZone zone;
   zone.name = "tendon";
@@ -39,7 +44,7 @@ DangerZone tendon() {
 
 std::string refusal_of(const DangerZone& zone) {
   try {
-    plan_zones(with_zone(zone), block());
+    zones_on_block(with_zone(zone));
   } catch (const ScenarioError& error) {
     return error.what();
   }
@@ -47,7 +52,7 @@ std::string refusal_of(const DangerZone& zone) {
 }
 
 TEST(PlannedZones, WithoutLandmarksLieWhereTheFileSays) {
-  const auto zones = plan_zones(with_zone(tendon()), block());
+  const auto zones = zones_on_block(with_zone(tendon()));
   ASSERT_EQ(zones.size(), 1U);
   EXPECT_EQ(zones[0].name, "tendon");
   EXPECT_EQ(zones[0].capsule.from_in_bone_mm, Vec3(0.0, 12.0, 0.0));
@@ -59,7 +64,7 @@ TEST(PlannedZones, CountEachEndFromItsLandmark) {
   DangerZone zone = tendon();
   zone.from_landmark = "base_centre";
   zone.to_landmark = "head_centre";
-  const auto zones = plan_zones(with_zone(zone), block());
+  const auto zones = zones_on_block(with_zone(zone));
   ASSERT_EQ(zones.size(), 1U);
   EXPECT_EQ(zones[0].capsule.from_in_bone_mm, Vec3(-30.0, 12.0, 0.0));
   EXPECT_EQ(zones[0].capsule.to_in_bone_mm, Vec3(25.0, 14.0, 3.0));

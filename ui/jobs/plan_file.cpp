@@ -19,6 +19,7 @@ ordered_json vector_json(const Vec3& vector) { return {vector.x, vector.y, vecto
 
 /// As a scenario's file says it.
 const char* name_of(FaceKind kind) noexcept {
+  if (kind == FaceKind::Turned) return "turned";
   if (kind == FaceKind::AlongAxis) return "along_axis";
   return kind == FaceKind::Transverse ? "transverse" : "through_hinge";
 }
@@ -33,22 +34,23 @@ ordered_json landmarks_json(const simulator::Bone& bone) {
   return landmarks;
 }
 
-/// A face across the bone runs out of it nowhere that is planned, unless it stops at a hinge.
+/// A face of format 1 across the bone runs out of it nowhere that is planned, unless it stops at a
+/// hinge.
 ordered_json exit_json(const PlannedCut& cut) {
-  if (cut.hinge.empty() && cut.kind != FaceKind::AlongAxis) return nullptr;
+  if (!cut.has_exit) return nullptr;
   return vector_json(cut.exit_point_in_bone_mm);
 }
 
-ordered_json cut_json(const PlannedCut& cut, const std::string& title) {
+ordered_json cut_json(const PlannedCut& cut, const scenarios::ReferenceCut& reference) {
   return {{"name", cut.name},
-          {"title", title},
+          {"title", reference.title},
           {"normal", vector_json(cut.face.normal)},
           {"offset_mm", cut.face.offset_mm},
           {"axis", vector_json(cut.axis)},
           {"entry_in_bone_mm", vector_json(cut.entry_point_in_bone_mm)},
           {"exit_in_bone_mm", exit_json(cut)},
           {"depth_in_bone_mm", vector_json(cut.depth_point_in_bone_mm)},
-          {"kind", name_of(cut.kind)},
+          {"kind", name_of(reference.face.kind)},
           {"hinge", cut.hinge.empty() ? ordered_json(nullptr) : ordered_json(cut.hinge)}};
 }
 
@@ -105,7 +107,7 @@ std::string plan_file(const Scenario& scenario, const simulator::Bone& bone, con
   // A plan's parts stand in the order of the scenario's.
   ordered_json cuts = ordered_json::array(), hinges = cuts, zones = cuts, joints = cuts;
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
-    cuts.push_back(cut_json(plan.cuts[i], scenario.cuts[i].title));
+    cuts.push_back(cut_json(plan.cuts[i], scenario.cuts[i]));
   }
   for (std::size_t i = 0; i < plan.hinges.size(); ++i) {
     hinges.push_back(hinge_json(plan.hinges[i], scenario.hinges[i].target_low_mm));

@@ -50,7 +50,7 @@ Vec2 flat(const RigidTransform& picture_from_bone, const Vec3& point_in_bone_mm)
 RigidTransform face_frame(const PlannedCut& cut) {
   const Vec3 inward = cut.exit_point_in_bone_mm - cut.depth_point_in_bone_mm;
   Vec3 up = glm::cross(cut.axis, cut.face.normal);
-  if (glm::dot(up, cut.kind == scenarios::FaceKind::AlongAxis ? dorsal : -inward) < 0.0) up = -up;
+  if (glm::dot(up, cut.is_along_bone ? dorsal : -inward) < 0.0) up = -up;
   const Vec3 foot = cut.depth_point_in_bone_mm + cut.depth_mm * cut.face.normal;
   return {rotation_from_axes(cut.axis, up), foot};
 }
@@ -61,7 +61,7 @@ std::vector<NamedPoint> landmarks_of(const PlannedCut& cut,
                                      const RigidTransform& picture_from_bone) {
   const Vec2 depth = flat(picture_from_bone, cut.depth_point_in_bone_mm);
   const Vec2 exit = flat(picture_from_bone, cut.exit_point_in_bone_mm);
-  if (cut.kind == scenarios::FaceKind::AlongAxis) {
+  if (cut.is_along_bone) {
     return {{"depth landmark", depth}, {"exit", exit}};
   }
   return {{"entry", depth}, {cut.hinge.empty() ? "exit" : "hinge", exit}};
@@ -155,7 +155,7 @@ void add_pictures(ReportMaterial& material, const scenarios::Scenario& scenario,
     material.faces.push_back(face_picture(cut, face == nullptr ? none : *face,
                                           outlines_in(solid, bvh, face_frame(cut))));
     material.faces.back().title = title_of(scenario, cut.name);
-    if (material.frontal || cut.kind != scenarios::FaceKind::AlongAxis) continue;
+    if (material.frontal || !cut.is_along_bone) continue;
     material.frontal = frontal_picture(solid, bvh, cut, face);
   }
 }

@@ -83,7 +83,7 @@ std::string gates_text(const ProposedChange& proposed, const Scenario& scenario)
 
 /// From where the turn shows.
 const char* seen_from(const PlannedCut& cut, bool is_tilt) noexcept {
-  const bool is_along = cut.kind == scenarios::FaceKind::AlongAxis;
+  const bool is_along = cut.is_along_bone;
   if (is_along == is_tilt) return is_along ? "along the bone" : "from the side";
   return "from dorsal";
 }

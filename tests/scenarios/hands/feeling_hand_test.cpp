@@ -135,12 +135,5 @@ TEST(FeelingHand, ThatNeverMeetsTheBoneIsRefused) {
             "cut \"eminence\": its planned face misses the bone; mend the plan");
 }
 
-TEST(FeelingHand, RefusesASideItCannotComeFrom) {
-  Patient patient;
-  patient.silver.cuts.at(0).approach = "distal";
-  EXPECT_EQ(refusal_of(patient, hand_skill("expert"), 1),
-            "a hand cannot approach from \"distal\"; use dorsal, plantar, medial or lateral");
-}
-
 }  // namespace
 }  // namespace hallux::scenarios

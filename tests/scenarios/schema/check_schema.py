@@ -1,4 +1,4 @@
-"""Each shipped scenario satisfies the schema; each planted fault that a schema can see is refused by it."""
+"""Each scenario satisfies the schema of its format; each planted fault that a schema can see is refused by it."""
 
 import copy
 import json
@@ -39,22 +39,53 @@ def patched(document, patch):
     return document
 
 
-def main(scenarios, faults_file):
-    schema = json.loads((scenarios / "schema" / "scenario.schema.json").read_text())
+def schema_of(folder, name):
+    """A schema with what it names in the others of its folder."""
+    schema = json.loads((folder / name).read_text())
+    shared = json.loads((folder / "scenario.schema.json").read_text())["$defs"]
+    own = set(schema["$defs"])
+    text = json.dumps(schema).replace("scenario.schema.json#/", "#/")
+    schema = json.loads(text)
+    schema["$defs"] = {**shared, **schema["$defs"]}
+    if name != "scenario.schema.json" and own & set(shared):
+        raise SystemExit(f"{name}: defines {own & set(shared)} again")
     jsonschema.Draft202012Validator.check_schema(schema)
-    validator = jsonschema.Draft202012Validator(schema)
-    wrong = []
-    shipped = sorted(scenarios.glob("*.json"))
-    for file in shipped:
-        for error in validator.iter_errors(json.loads(file.read_text())):
-            wrong.append(f"{file.name}: {error.json_path}: {error.message}")
-    faults = json.loads(faults_file.read_text())
+    return jsonschema.Draft202012Validator(schema)
+
+
+def findings(validator, files, faults):
+    """What the schema refuses of the files, and the planted faults of which it is told otherwise."""
+    for name, whole in files.items():
+        for error in validator.iter_errors(whole):
+            yield f"{name}: {error.json_path}: {error.message}"
     for fault in faults:
-        whole = json.loads((scenarios / f"{fault.get('of', 'silver')}.json").read_text())
+        whole = files[fault.get("of", next(iter(files)))]
         is_refused = not validator.is_valid(patched(whole, fault["patch"]))
         if is_refused != fault["schema"]:
-            wrong.append(f"planted fault '{fault['name']}': refused by the schema: {is_refused}")
-    print("\n".join(wrong) or f"{len(shipped)} scenarios and {len(faults)} planted faults as told")
+            yield f"planted fault '{fault['name']}': refused by the schema: {is_refused}"
+
+
+def read_all(files):
+    return {file.stem: json.loads(file.read_text()) for file in files}
+
+
+def main(scenarios, tests):
+    shipped = read_all(sorted(scenarios.glob("*.json")))
+    fixtures = read_all(tests / "format_2" / f"{name}.json" for name in ("chevron", "akin_2"))
+    by_format = {format: {name: whole for name, whole in {**shipped, **fixtures}.items() if whole["format"] == format}
+                 for format in (1, 2)}
+    faults = {1: json.loads((tests / "planted_faults.json").read_text()),
+              2: json.loads((tests / "format_2" / "planted_faults.json").read_text())}
+    schemas = {1: "scenario.schema.json", 2: "scenario_2.schema.json"}
+    wrong = []
+    for format, name in schemas.items():
+        validator = schema_of(scenarios / "schema", name)
+        # The first of the files is the one that a fault is planted in where it names none.
+        first = {1: "silver", 2: "chevron"}[format]
+        files = {first: by_format[format].pop(first), **by_format[format]}
+        wrong += findings(validator, files, faults[format])
+    count = sum(len(each) for each in faults.values())
+    print("\n".join(wrong) or f"{len(shipped)} scenarios, {len(fixtures)} fixtures and {count} planted faults as told")
     return 1 if wrong or not shipped else 0
 
 

@@ -4,11 +4,11 @@
 #include "ui/jobs/course/scenario_jobs.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <sstream>
 
-#include "simulator/base/units.h"
+#include "scenarios/steps/step_words.h"
+#include "ui/jobs/course/operation_sheet.h"
+#include "ui/jobs/course/sheet_text.h"
 
 namespace hallux::ui {
 namespace {
@@ -19,66 +19,33 @@ using namespace scenarios;
 /// fraction of the time.
 constexpr double check_edge_mm = 1.0;
 
-/// What was read as a decimal reads the same again, and an angle that went through radians has no
-/// tail of digits.
-std::string number_text(double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                 std::chars_format::general, 9)
-                       .ptr;
-  return {digits.data(), end};
-}
-
 std::string points_text(std::int64_t milli) {
-  return number_text(static_cast<double>(milli) / 1000.0);
+  return sheet_number(static_cast<double>(milli) / 1000.0);
 }
 
 std::string point_text(const Vec3& point_mm) {
-  return number_text(point_mm.x) + " " + number_text(point_mm.y) + " " + number_text(point_mm.z);
-}
-
-std::string_view step_word(StepKind kind) {
-  switch (kind) {
-    case StepKind::Verify:
-      return "verify";
-    case StepKind::Cut:
-      return "cut";
-    case StepKind::Remove:
-      return "remove";
-    case StepKind::Close:
-      return "close";
-    case StepKind::Finish:
-      return "finish";
-  }
-  return "";
+  return sheet_number(point_mm.x) + " " + sheet_number(point_mm.y) + " " + sheet_number(point_mm.z);
 }
 
 std::string provisional_text(bool is_provisional) { return is_provisional ? " (provisional)" : ""; }
 
-void write_origin(std::ostream& out, const std::string& origin) {
-  out << "      origin: " << origin << "\n";
-}
-
 void write_means(std::ostream& out, const Scenario& scenario) {
   const PatientRequest& patient = scenario.patient;
-  out << "\nPatient\n  " << patient.bone << ", length " << number_text(patient.length_mm) << " mm";
-  if (patient.eminence_mm > 0.0) out << ", eminence " << number_text(patient.eminence_mm) << " mm";
-  out << ", edge " << number_text(patient.edge_mm) << " mm";
-  if (patient.bone_quality != 1.0) out << ", bone quality " << number_text(patient.bone_quality);
+  out << "\nPatient\n  " << patient.bone << ", length " << sheet_number(patient.length_mm) << " mm";
+  if (patient.eminence_mm > 0.0) out << ", eminence " << sheet_number(patient.eminence_mm) << " mm";
+  out << ", edge " << sheet_number(patient.edge_mm) << " mm";
+  if (patient.bone_quality != 1.0) out << ", bone quality " << sheet_number(patient.bone_quality);
   out << "\n";
   write_origin(out, patient.origin);
   const simulator::Saw& saw = scenario.saw;
-  out << "\nBlade\n  " << scenario.blade_name << ": width " << number_text(saw.blade.width_mm)
-      << " mm, depth " << number_text(saw.blade.depth_mm) << " mm, thickness "
-      << number_text(saw.blade.thickness_mm) << " mm, kerf " << number_text(saw.blade.kerf_mm)
-      << " mm, " << number_text(saw.cycles_per_minute) << " cycles/min";
-  if (saw.sharpness < 1.0) out << ", sharpness " << number_text(saw.sharpness);
+  out << "\nBlade\n  " << scenario.blade_name << ": width " << sheet_number(saw.blade.width_mm)
+      << " mm, depth " << sheet_number(saw.blade.depth_mm) << " mm, thickness "
+      << sheet_number(saw.blade.thickness_mm) << " mm, kerf " << sheet_number(saw.blade.kerf_mm)
+      << " mm, " << sheet_number(saw.cycles_per_minute) << " cycles/min";
+  if (saw.sharpness < 1.0) out << ", sharpness " << sheet_number(saw.sharpness);
   out << "\n";
   write_origin(out, scenario.blade_origin);
-}
-
-std::string degree_text(double angle_rad) {
-  return number_text(degree_from_radian(angle_rad)) + " deg";
+  write_further_means(out, scenario);
 }
 
 void write_face(std::ostream& out, const Scenario& scenario, const ReferenceCut& cut) {
@@ -86,19 +53,24 @@ void write_face(std::ostream& out, const Scenario& scenario, const ReferenceCut&
   switch (face.kind) {
     case FaceKind::AlongAxis:
       out << "contains the direction " << face.axis_from << " to " << face.axis_to << "; "
-          << number_text(face.offset_mm) << " mm from " << face.through
-          << " towards the waste; frontal tilt " << degree_text(face.frontal_tilt_rad);
+          << sheet_number(face.offset_mm) << " mm from " << face.through
+          << " towards the waste; frontal tilt " << sheet_angle(face.frontal_tilt_rad);
       break;
     case FaceKind::Transverse:
       out << "across the bone, parallel to " << face.axis_from << " to " << face.axis_to << ", "
-          << number_text(face.offset_mm) << " mm distal of " << face.through << "; transverse tilt "
-          << degree_text(face.transverse_tilt_rad) << ", sagittal tilt "
-          << degree_text(face.sagittal_tilt_rad);
+          << sheet_number(face.offset_mm) << " mm distal of " << face.through
+          << "; transverse tilt " << sheet_angle(face.transverse_tilt_rad) << ", sagittal tilt "
+          << sheet_angle(face.sagittal_tilt_rad);
+      break;
+    case FaceKind::Turned:
+      out << "through " << face.through << ", contains " << face.contains << ", turned about it by "
+          << sheet_angle(face.angle_rad) << " from " << face.turned_from;
+      if (face.roll_rad != 0.0) out << "; rolled by " << sheet_angle(face.roll_rad);
       break;
     case FaceKind::ThroughHinge:
       for (const ReferenceHinge& hinge : scenario.hinges) {
         if (hinge.second_cut != cut.name) continue;
-        out << "through the line of the hinge " << hinge.name << ", " << degree_text(face.wedge_rad)
+        out << "through the line of the hinge " << hinge.name << ", " << sheet_angle(face.wedge_rad)
             << " from the face of " << hinge.first_cut;
       }
       break;
@@ -110,7 +82,14 @@ void write_cuts(std::ostream& out, const Scenario& scenario) {
   for (const ReferenceCut& cut : scenario.cuts) {
     out << "  " << cut.name << ": " << cut.title << "\n      ";
     write_face(out, scenario, cut);
-    out << "\n      waste " << cut.waste_side << "; approach " << cut.approach;
+    if (cut.face.kind != FaceKind::Turned) {
+      out << "\n      waste " << cut.waste_side;
+    } else {
+      out << "\n      " << (cut.keeps_both ? "both sides are kept, measured is " : "kept is ")
+          << cut.keep;
+    }
+    out << "; approach " << cut.approach;
+    if (cut.window) out << "; only beyond " << cut.window->beyond << " " << cut.window->along;
     if (!cut.depth_landmark.empty()) out << "; depth at " << cut.depth_landmark;
     if (!cut.exit_landmark.empty()) out << "; flush at " << cut.exit_landmark;
     out << "\n";
@@ -123,24 +102,31 @@ void write_hinges(std::ostream& out, const Scenario& scenario) {
   out << "\nHinges\n";
   for (const ReferenceHinge& hinge : scenario.hinges) {
     out << "  " << hinge.name << ": " << hinge.title << ", of " << hinge.first_cut << " and "
-        << hinge.second_cut << "\n      " << number_text(hinge.thickness_mm) << " mm inside the "
-        << hinge.side << " cortex; target " << number_text(hinge.target_low_mm) << " to "
-        << number_text(hinge.target_high_mm) << " mm; breaks below "
-        << number_text(hinge.breaks_below_mm) << " mm, bends up to "
-        << number_text(hinge.bends_up_to_mm) << " mm" << provisional_text(hinge.is_provisional)
+        << hinge.second_cut << "\n      " << sheet_number(hinge.thickness_mm) << " mm inside the "
+        << hinge.side << " cortex; target " << sheet_number(hinge.target_low_mm) << " to "
+        << sheet_number(hinge.target_high_mm) << " mm; breaks below "
+        << sheet_number(hinge.breaks_below_mm) << " mm, bends up to "
+        << sheet_number(hinge.bends_up_to_mm) << " mm" << provisional_text(hinge.is_provisional)
         << "\n";
     write_origin(out, hinge.origin);
   }
+}
+
+/// What it is about; empty where it is about nothing.
+std::string step_subject_text(const OperationStep& step) {
+  std::string text = subject_of(step) + step.point + step.shift;
+  for (const std::string& implant : step.implants) text += (text.empty() ? "" : " ") + implant;
+  return text;
 }
 
 void write_steps(std::ostream& out, const Scenario& scenario) {
   out << "\nSteps\n";
   int number = 1;
   for (const OperationStep& step : scenario.steps) {
-    const std::string& subject = subject_of(step);
+    const std::string subject = step_subject_text(step);
     out << "  " << number++ << ". [" << step_word(step.kind)
-        << (subject.empty() ? "" : " " + subject) << "] " << step.title << "\n      " << step.text
-        << "\n";
+        << (subject.empty() ? "" : " " + subject) << order_text(step) << "] " << step.title
+        << "\n      " << step.text << "\n";
   }
 }
 
@@ -154,7 +140,7 @@ void write_danger_zones(std::ostream& out, const Scenario& scenario) {
     out << "  " << zone.name << ": " << zone.title << ", " << zone.severity << ", from "
         << point_text(zone.from_in_bone_mm) << landmark_text(zone.from_landmark) << " to "
         << point_text(zone.to_in_bone_mm) << landmark_text(zone.to_landmark) << ", radius "
-        << number_text(zone.radius_mm) << (zone.is_checked ? "" : "; position unchecked") << "\n";
+        << sheet_number(zone.radius_mm) << (zone.is_checked ? "" : "; position unchecked") << "\n";
     write_origin(out, zone.origin);
   }
 }
@@ -164,11 +150,11 @@ void write_item(std::ostream& out, const RubricItem& item) {
       << " points for " << item.metric
       << (subject_of(item).empty() ? "" : " of " + subject_of(item));
   if (item.is_band) {
-    out << "; full from " << number_text(item.full_low) << " to " << number_text(item.full_high)
-        << ", none below " << number_text(item.zero_low) << " or above "
-        << number_text(item.zero_high);
+    out << "; full from " << sheet_number(item.full_low) << " to " << sheet_number(item.full_high)
+        << ", none below " << sheet_number(item.zero_low) << " or above "
+        << sheet_number(item.zero_high);
   } else {
-    out << "; full up to " << number_text(item.full) << ", none from " << number_text(item.zero);
+    out << "; full up to " << sheet_number(item.full) << ", none from " << sheet_number(item.zero);
   }
   out << " " << item.unit << provisional_text(item.is_provisional) << "\n";
   write_origin(out, item.origin);
@@ -195,7 +181,7 @@ void write_rubric(std::ostream& out, const Rubric& rubric) {
   for (const Gate& gate : rubric.gates) {
     out << "  " << gate.title << ": " << gate.metric
         << (subject_of(gate).empty() ? "" : " of " + subject_of(gate)) << " above "
-        << number_text(gate.limit) << " " << gate.unit << " caps the score at "
+        << sheet_number(gate.limit) << " " << gate.unit << " caps the score at "
         << points_text(gate.cap_milli) << provisional_text(gate.is_provisional) << "\n";
     write_origin(out, gate.origin);
   }
@@ -234,8 +220,10 @@ std::string scenario_sheet(const Scenario& scenario) {
       << review_label(scenario) << "\n\nIndication\n  " << scenario.indication << "\n\nSummary\n  "
       << scenario.summary << "\n";
   write_means(out, scenario);
+  write_places(out, scenario);
   write_cuts(out, scenario);
   write_hinges(out, scenario);
+  write_fixation(out, scenario);
   write_steps(out, scenario);
   write_danger_zones(out, scenario);
   write_rubric(out, scenario.rubric);

@@ -41,9 +41,6 @@ const scenarios::WantedPart* StepProgress::wanted() const noexcept {
 StepDeed StepProgress::press(double now_s) {
   if (!kind() || is_waiting()) return StepDeed::Nothing;
   switch (*kind()) {
-    case StepKind::Verify:
-    case StepKind::Cut:
-      return StepDeed::EndStep;
     case StepKind::Remove:
       return take_out(now_s);
     case StepKind::Close:
@@ -51,8 +48,9 @@ StepDeed StepProgress::press(double now_s) {
       return StepDeed::CloseHinge;
     case StepKind::Finish:
       return StepDeed::AskToFinish;
+    default:
+      return StepDeed::EndStep;
   }
-  return StepDeed::Nothing;
 }
 
 /// Where nothing of it lies there any more, that was all.

@@ -41,23 +41,16 @@ BoneInView bone_in_view(std::uint64_t id, const simulator::Bone& bone) {
   return shown;
 }
 
-Vec3 side_in_bone(std::string_view side) {
-  if (side == "dorsal") return {0.0, 1.0, 0.0};
-  if (side == "plantar") return {0.0, -1.0, 0.0};
-  return {0.0, 0.0, side == "lateral" ? 1.0 : -1.0};
-}
-
 /// The frame of the face: x where the blade goes, z its normal.
-RigidTransform bone_from_face(const PlannedCut& cut, const scenarios::ReferenceCut& reference) {
-  const Vec3 normal = cut.face.normal, from = side_in_bone(reference.approach);
+RigidTransform bone_from_face(const PlannedCut& cut) {
+  const Vec3 normal = cut.face.normal, from = cut.approach_in_bone;
   const Vec3 feed = glm::normalize(glm::dot(from, normal) * normal - from);
   return {rotation_from_axes(feed, glm::cross(normal, feed)), cut.face.offset_mm * normal};
 }
 
-FaceInView face_in_view(const BoneInView& bone, const simulator::Bvh& tree, const PlannedCut& cut,
-                        const scenarios::ReferenceCut& reference) {
-  const PlannedFace face = planned_face(bone.mesh.solid, tree, bone_from_face(cut, reference),
-                                        cut.depth_point_in_bone_mm);
+FaceInView face_in_view(const BoneInView& bone, const simulator::Bvh& tree, const PlannedCut& cut) {
+  const PlannedFace face =
+      planned_face(bone.mesh.solid, tree, bone_from_face(cut), cut.depth_point_in_bone_mm);
   return {bone.world_from_bone * face.bone_from_face, face.half_mm, Vec2(face.entry_x_mm, 0.0)};
 }
 
@@ -86,10 +79,7 @@ PatientView make_patient_view(const scenarios::Scenario& scenario, const Progres
   view.neighbour = bone_in_view(id_of(scenario, "neighbour", neighbour_mm),
                                 scenarios::neighbour_of(scenario, neighbour_mm));
   const simulator::Bvh bvh(view.bone.mesh.solid.mesh);
-  for (const scenarios::ReferenceCut& reference : scenario.cuts) {
-    const PlannedCut* cut = find_cut(plan, reference.name);
-    view.faces.push_back(face_in_view(view.bone, bvh, *cut, reference));
-  }
+  for (const PlannedCut& cut : plan.cuts) view.faces.push_back(face_in_view(view.bone, bvh, cut));
   for (std::size_t cut = 0; cut < plan.cuts.size(); ++cut)
     view.passes.push_back(passes_in_view(coarse, plan, cut, view.bone.mesh.solid, bvh));
   view.blade = scenario.saw.blade;

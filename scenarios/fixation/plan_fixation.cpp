@@ -1,0 +1,285 @@
+// Implants are planned on the bone as it is when they are set: with the fragments where their
+// shifts bring them. So an axis is carried back into a fragment's own place before it is asked
+// what it meets there. What a closing adds is known to the simulator alone, and is small.
+#include "scenarios/fixation/plan_fixation.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+
+#include "scenarios/fixation/bone_pieces.h"
+#include "scenarios/geometry/part_path.h"
+#include "scenarios/json_node.h"
+#include "scenarios/plan.h"
+#include "simulator/mesh/bvh.h"
+
+namespace hallux::scenarios {
+namespace {
+
+/// Along an implant's axis.
+constexpr double sample_mm = 0.25;
+/// Less of an implant in a body does not hold it.
+constexpr double engaged_least_mm = 1.0;
+
+RigidTransform turn_about(const Vec3& axis, const Vec3& through_mm, double angle_rad) {
+  const RigidTransform turn{rotation_about(axis, angle_rad), {}};
+  return {turn.rotation, through_mm - transform_direction(turn, through_mm)};
+}
+
+/// A part of a bone as an implant meets it: a fragment where it was shifted to, or the rest.
+struct Body {
+  std::size_t bone = 0, piece = 0;
+  RigidTransform bone_from_rest = {};
+};
+
+class FixationPlanner {
+ public:
+  FixationPlanner(const Scenario& scenario, const Ground& ground, std::span<const PlannedCut> cuts,
+                  std::span<const PlannedJointSurface> surfaces)
+      : scenario_(scenario), ground_(ground), surfaces_(surfaces) {
+    for (std::size_t bone = 0; bone < ground.bone_count(); ++bone)
+      pieces_.emplace_back(ground.bone(bone).outer, walls_of(cuts, bone));
+  }
+
+  PlannedFixation planned() {
+    for (std::size_t i = 0; i < scenario_.fragments.size(); ++i) plan_fragment(i);
+    for (std::size_t i = 0; i < scenario_.shifts.size(); ++i) plan_shift(i);
+    std::size_t wires = 0, screws = 0;
+    for (const Implant& implant : scenario_.implants) {
+      const bool is_wire = implant.kind == ImplantKind::Wire;
+      std::size_t& index = is_wire ? wires : screws;
+      fixation_.implants.push_back(plan_implant(
+          implant, part_path(scenario_, is_wire ? "wires" : "screws", index++, implant.name)));
+    }
+    return std::move(fixation_);
+  }
+
+ private:
+  /// What is trimmed is trimmed after the shifts, and parts nothing before.
+  std::vector<PartingFace> walls_of(std::span<const PlannedCut> cuts, std::size_t bone) const {
+    std::vector<PartingFace> walls;
+    for (const PlannedCut& cut : cuts) {
+      const bool is_trimmed = std::ranges::any_of(scenario_.steps, [&](const OperationStep& step) {
+        return step.kind == StepKind::Trim && step.cut == cut.name;
+      });
+      if (cut.bone == bone && !is_trimmed) walls.push_back({cut.face, cut.window});
+    }
+    return walls;
+  }
+
+  void plan_fragment(std::size_t index) {
+    const Fragment& fragment = scenario_.fragments[index];
+    const std::string path = part_path(scenario_, "fragments", index, fragment.name);
+    PlannedFragment planned{.name = fragment.name, .bone = ground_.bone_index(fragment.bone)};
+    planned.holds_in_bone_mm = ground_.point(fragment.holds, planned.bone, path + ".holds");
+    const BonePieces& pieces = pieces_[planned.bone];
+    const std::optional<std::size_t> piece = pieces.near(planned.holds_in_bone_mm);
+    const std::string of_bone = " of the bone \"" + ground_.bone(planned.bone).name + "\"";
+    if (!piece) {
+      throw ScenarioError(path + ": \"" + fragment.holds + "\" lies outside" + of_bone +
+                          "; mend holds");
+    }
+    if (pieces.volumes_mm3().size() == 1) {
+      throw ScenarioError(path + ": no cut parts it from the rest" + of_bone +
+                          "; mend the cuts or their windows");
+    }
+    for (const Body& other : bodies_) {
+      if (other.bone != planned.bone || other.piece != *piece) continue;
+      throw ScenarioError(path + ": another fragment lies in the same piece" + of_bone +
+                          "; mend holds or the cuts");
+    }
+    planned.volume_mm3 = pieces.volumes_mm3()[*piece];
+    bodies_.push_back({planned.bone, *piece, {}});
+    fixation_.fragments.push_back(planned);
+  }
+
+  void plan_shift(std::size_t index) {
+    const FragmentShift& shift = scenario_.shifts[index];
+    const std::string path = part_path(scenario_, "shifts", index, shift.name);
+    const std::size_t fragment = fragment_index(shift.fragment);
+    PlannedFragment& moved = fixation_.fragments[fragment];
+    PlannedShift planned{shift.name, shift.fragment, moved.bone, {}, shift.is_closed};
+    for (const FragmentMove& move : shift.moves) {
+      const Vec3 direction = ground_.direction(move.direction, moved.bone, path);
+      const RigidTransform next =
+          move.is_turn
+              ? turn_about(direction, ground_.point(move.through, moved.bone, path), move.turn_rad)
+              : RigidTransform{{1.0, 0.0, 0.0, 0.0}, move.slide_mm * direction};
+      planned.bone_from_before = next * planned.bone_from_before;
+    }
+    moved.bone_from_rest = planned.bone_from_before * moved.bone_from_rest;
+    bodies_[fragment].bone_from_rest = moved.bone_from_rest;
+    fixation_.shifts.push_back(planned);
+  }
+
+  std::size_t fragment_index(const std::string& name) const {
+    const auto found = std::ranges::find(scenario_.fragments, name, &Fragment::name);
+    return static_cast<std::size_t>(found - scenario_.fragments.begin());
+  }
+
+  /// A fragment, or the greatest piece of the bone that is none.
+  Body body_named(const std::string& name) const {
+    const std::size_t fragment = fragment_index(name);
+    if (fragment < bodies_.size()) return bodies_[fragment];
+    Body rest{.bone = ground_.bone_index(name)};
+    double greatest_mm3 = 0.0;
+    const std::vector<double>& volumes_mm3 = pieces_[rest.bone].volumes_mm3();
+    for (std::size_t piece = 0; piece < volumes_mm3.size(); ++piece) {
+      const bool is_fragment = std::ranges::any_of(
+          bodies_, [&](const Body& body) { return body.bone == rest.bone && body.piece == piece; });
+      if (is_fragment || volumes_mm3[piece] <= greatest_mm3) continue;
+      greatest_mm3 = volumes_mm3[piece];
+      rest.piece = piece;
+    }
+    return rest;
+  }
+
+  /// A wire that leads the saw is set before anything is cut.
+  bool is_guide(const PlannedImplant& implant) const {
+    return std::ranges::any_of(scenario_.steps, [&](const OperationStep& step) {
+      return step.kind == StepKind::GuideWire &&
+             std::ranges::find(step.implants, implant.name) != step.implants.end();
+    });
+  }
+
+  /// The points of the implant's axis, tip included, as the body has them in its own place.
+  std::vector<Vec3> axis_in(const Body& body, const PlannedImplant& implant) const {
+    const RigidTransform rest_from_bone =
+        is_guide(implant) ? RigidTransform{} : inverse(body.bone_from_rest);
+    const auto steps = static_cast<int>(implant.length_mm / sample_mm);
+    std::vector<Vec3> points;
+    for (int step = 0; step <= steps + 1; ++step) {
+      const double along_mm = std::min(step * sample_mm, implant.length_mm);
+      const Vec3 point = implant.entry_in_bone_mm + along_mm * implant.direction_in_bone;
+      points.push_back(
+          transform_point(rest_from_bone, ground_.moved_point(point, implant.bone, body.bone)));
+    }
+    return points;
+  }
+
+  PlannedImplant plan_implant(const Implant& implant, const std::string& path) {
+    PlannedImplant planned{.kind = implant.kind,
+                           .name = implant.name,
+                           .bone = ground_.bone_index(implant.bone),
+                           .length_mm = implant.length.middle_mm(),
+                           .diameter_mm = implant.diameter.middle_mm(),
+                           .engages = implant.engages,
+                           .cortices = implant.cortices,
+                           .is_temporary = implant.is_temporary};
+    planned.entry_in_bone_mm = ground_.point(implant.entry, planned.bone, path + ".entry");
+    planned.direction_in_bone =
+        ground_.direction(implant.direction, planned.bone, path + ".direction");
+    planned.tip_in_bone_mm =
+        planned.entry_in_bone_mm + planned.length_mm * planned.direction_in_bone;
+    for (const std::string& name : implant.engages) check_engaged(planned, name, path);
+    for (const ImplantClearance& asked : implant.clear_of)
+      planned.clear_of.push_back(clearance_of(planned, asked, path));
+    return planned;
+  }
+
+  void check_engaged(const PlannedImplant& implant, const std::string& name,
+                     const std::string& path) const {
+    const Body body = body_named(name);
+    const BonePieces& pieces = pieces_[body.bone];
+    const bool is_whole = is_guide(implant);
+    const std::vector<Vec3> axis = axis_in(body, implant);
+    const auto within = std::ranges::count_if(axis, [&](const Vec3& point) {
+      const std::optional<std::size_t> piece = pieces.at(point);
+      return is_whole ? piece.has_value() : piece == body.piece;
+    });
+    if (static_cast<double>(within) * sample_mm >= engaged_least_mm) return;
+    throw ScenarioError(path + ": its axis misses \"" + name +
+                        "\", which it must engage; mend entry, direction or length_mm");
+  }
+
+  /// A surface moves with the fragment on which most of it lies; its middle may lie in a cut.
+  Body body_of(const PlannedJointSurface& surface) const {
+    constexpr std::size_t samples = 200;
+    const BonePieces& pieces = pieces_[surface.bone];
+    const simulator::IndexedMesh& outer = ground_.bone(surface.bone).outer;
+    std::vector<std::size_t> found(pieces.volumes_mm3().size(), 0);
+    const std::size_t stride = 1 + surface.triangles.size() / samples;
+    for (std::size_t i = 0; i < surface.triangles.size(); i += stride) {
+      const Vec3 middle_mm =
+          simulator::middle_of(simulator::corners_of(outer, surface.triangles[i]));
+      if (const std::optional<std::size_t> piece = pieces.near(middle_mm)) ++found[*piece];
+    }
+    const auto most = static_cast<std::size_t>(std::ranges::max_element(found) - found.begin());
+    for (const Body& body : bodies_) {
+      if (body.bone == surface.bone && body.piece == most) return body;
+    }
+    return {.bone = surface.bone};
+  }
+
+  /// Of that bone's outer surface; built for whoever asks first.
+  const simulator::Bvh& tree_of(std::size_t bone) {
+    if (trees_.size() < ground_.bone_count()) trees_.resize(ground_.bone_count());
+    if (!trees_[bone]) trees_[bone].emplace(ground_.bone(bone).outer);
+    return *trees_[bone];
+  }
+
+  double distance_mm(const Vec3& point_mm, const PlannedJointSurface& surface) {
+    double nearest_mm = std::numeric_limits<double>::infinity();
+    auto visit = [&](const simulator::NearTriangle& found) noexcept {
+      if (std::ranges::binary_search(surface.triangles, found.triangle))
+        nearest_mm = std::min(nearest_mm, length_of(found.closest_mm - point_mm));
+      return nearest_mm;
+    };
+    tree_of(surface.bone).visit_near(point_mm, nearest_mm, visit);
+    return nearest_mm;
+  }
+
+  PlannedClearance clearance_of(const PlannedImplant& implant, const ImplantClearance& asked,
+                                const std::string& path) {
+    const auto surface =
+        std::ranges::find(surfaces_, asked.joint_surface, &PlannedJointSurface::name);
+    PlannedClearance clear{asked.joint_surface, asked.least_mm,
+                           std::numeric_limits<double>::infinity()};
+    for (const Vec3& point : axis_in(body_of(*surface), implant))
+      clear.planned_mm = std::min(clear.planned_mm, distance_mm(point, *surface));
+    if (clear.planned_mm >= asked.least_mm) return clear;
+    throw ScenarioError(path + ": its axis comes within " + text_of_number(asked.least_mm) +
+                        " mm of the joint surface \"" + asked.joint_surface +
+                        "\"; mend entry, direction or length_mm");
+  }
+
+  const Scenario& scenario_;
+  const Ground& ground_;
+  std::span<const PlannedJointSurface> surfaces_;
+  std::vector<BonePieces> pieces_;
+  std::vector<std::optional<simulator::Bvh>> trees_;
+  /// Of each fragment.
+  std::vector<Body> bodies_;
+  PlannedFixation fixation_;
+};
+
+template <typename Part>
+const Part* find_part(const std::vector<Part>& parts, std::string_view name) noexcept {
+  const auto found = std::ranges::find(parts, name, &Part::name);
+  return found == parts.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+PlannedFixation plan_fixation(const Scenario& scenario, const Ground& ground,
+                              std::span<const PlannedCut> cuts,
+                              std::span<const PlannedJointSurface> joint_surfaces) {
+  if (scenario.fragments.empty() && scenario.implants.empty()) return {};
+  return FixationPlanner(scenario, ground, cuts, joint_surfaces).planned();
+}
+
+const PlannedFragment* find_fragment(const PlannedFixation& fixation,
+                                     std::string_view name) noexcept {
+  return find_part(fixation.fragments, name);
+}
+
+const PlannedShift* find_shift(const PlannedFixation& fixation, std::string_view name) noexcept {
+  return find_part(fixation.shifts, name);
+}
+
+const PlannedImplant* find_implant(const PlannedFixation& fixation,
+                                   std::string_view name) noexcept {
+  return find_part(fixation.implants, name);
+}
+
+}  // namespace hallux::scenarios

@@ -1,0 +1,148 @@
+// The Akin of format 1 said in format 2: the same planes, and its fixation beside them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scenarios/patient.h"
+#include "scenarios/steps/step_order.h"
+#include "tests/scenarios/format_2/fixtures.h"
+
+namespace hallux::scenarios {
+namespace {
+
+using nlohmann::json;
+using scenarios_test::fixture_json;
+
+constexpr double rounding = 1.0e-11;
+
+class Akin2 : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    Scenario akin = load_shipped_scenario("akin");
+    akin.patient.edge_mm = 1.0;
+    bone_ = make_patient(akin);
+    old_ = plan_on(akin, bone_);
+    plan_ = plan_on(scenarios_test::fixture("akin_2"), bone_);
+  }
+  static void TearDownTestSuite() {
+    bone_ = {};
+    old_ = plan_ = {};
+  }
+
+  inline static simulator::Bone bone_;
+  inline static Plan old_, plan_;
+};
+
+TEST_F(Akin2, HasThePlanesOfFormat1) {
+  ASSERT_EQ(plan_.cuts.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const PlannedCut &cut = plan_.cuts[i], &old = old_.cuts[i];
+    EXPECT_EQ(cut.name, old.name);
+    EXPECT_LT(length_of(cut.face.normal - old.face.normal), rounding) << cut.name;
+    EXPECT_NEAR(cut.face.offset_mm, old.face.offset_mm, rounding);
+    EXPECT_LT(length_of(cut.axis - old.axis), rounding);
+    EXPECT_LT(length_of(cut.entry_point_in_bone_mm - old.entry_point_in_bone_mm), 1.0e-9);
+    EXPECT_LT(length_of(cut.exit_point_in_bone_mm - old.exit_point_in_bone_mm), 1.0e-9);
+    EXPECT_EQ(cut.hinge, old.hinge);
+    EXPECT_EQ(cut.is_turned_about_hinge, old.is_turned_about_hinge);
+    EXPECT_EQ(cut.is_along_bone, old.is_along_bone);
+    EXPECT_EQ(cut.approach_in_bone, old.approach_in_bone);
+  }
+}
+
+TEST_F(Akin2, HasTheHingeOfFormat1) {
+  ASSERT_EQ(plan_.hinges.size(), 1U);
+  const simulator::PlannedBridge &bridge = plan_.hinges[0].bridge, &old = old_.hinges[0].bridge;
+  EXPECT_LT(length_of(bridge.line.point_in_bone_mm - old.line.point_in_bone_mm), 1.0e-9);
+  EXPECT_LT(length_of(bridge.line.axis - old.line.axis), rounding);
+  EXPECT_LT(length_of(bridge.line.outward - old.line.outward), rounding);
+  EXPECT_EQ(bridge.toward_moved, old.toward_moved);
+  EXPECT_NEAR(plan_.hinges[0].wedge_rad, old_.hinges[0].wedge_rad, rounding);
+  ASSERT_EQ(planned_bridges(plan_).size(), 1U);
+  EXPECT_EQ(planned_bridges(plan_)[0].line.point_in_bone_mm, bridge.line.point_in_bone_mm);
+}
+
+TEST_F(Akin2, HoldsTheToeByAScrewOrByTwoWires) {
+  ASSERT_EQ(plan_.fixation.implants.size(), 3U);
+  for (const PlannedImplant& implant : plan_.fixation.implants) {
+    EXPECT_EQ(implant.engages, (std::vector<std::string>{"toe", "first_proximal_phalanx"}));
+    EXPECT_LT(implant.direction_in_bone.x, 0.0) << "proximal";
+    EXPECT_GE(implant.clear_of.at(0).planned_mm, implant.clear_of[0].least_mm);
+  }
+  const PlannedImplant& screw = *find_implant(plan_.fixation, "screw");
+  EXPECT_GT(screw.direction_in_bone.z, 0.0) << "medial to lateral";
+}
+
+TEST_F(Akin2, IsFixedByEitherAlternative) {
+  const Scenario scenario = scenarios_test::fixture("akin_2");
+  std::vector<bool> is_done(scenario.steps.size(), false);
+  for (std::size_t step = 0; step < 5; ++step) {
+    EXPECT_EQ(steps_at_hand(scenario, is_done), std::vector<std::size_t>{step});
+    is_done[step] = true;
+  }
+  const std::vector<std::size_t> either{5, 6}, finish{7};
+  EXPECT_EQ(steps_at_hand(scenario, is_done), either);
+  for (const std::size_t one : either) {
+    is_done[one] = true;
+    EXPECT_EQ(steps_at_hand(scenario, is_done), finish);
+    is_done[finish[0]] = true;
+    EXPECT_TRUE(is_all_done(scenario, is_done));
+    is_done[one] = is_done[finish[0]] = false;
+  }
+}
+
+TEST_F(Akin2, RefusesCutsThatLeaveNoWedgeBetweenThem) {
+  json altered = fixture_json("akin_2");
+  altered["cuts"][1]["keep"] = "proximal";
+  EXPECT_EQ(scenarios_test::plan_refusal_of(altered, bone_),
+            "akin_2: hinges[0] \"lateral_hinge\": \"proximal_face\" and \"distal_face\" keep the "
+            "same side, and no wedge lies between them; mend keep");
+}
+
+TEST_F(Akin2, MayHaveSeveralHinges) {
+  json two = fixture_json("akin_2");
+  json first = two["cuts"][0], second = two["cuts"][1], hinge = two["hinges"][0];
+  first["name"] = "other_first";
+  first["face"]["through"] = "other_level";
+  second["name"] = "other_second";
+  second["face"]["through"] = second["face"]["contains"] = hinge["name"] = "medial_hinge";
+  second["face"]["from"] = hinge["first_cut"] = "other_first";
+  second["face"]["angle_deg"] = 8;
+  hinge["second_cut"] = "other_second";
+  hinge["side"] = "medial";
+  first["approach"] = second["approach"] = "lateral";
+  two["points"].push_back({{"name", "other_level"},
+                           {"at", "base_centre"},
+                           {"move", {{{"along", "distal"}, {"mm", 16}}}},
+                           {"origin", "author: a test."}});
+  two["cuts"].push_back(first);
+  two["cuts"].push_back(second);
+  two["hinges"].push_back(hinge);
+  // The fragments are another test's.
+  for (const char* part : {"fragments", "wires", "screws"}) two.erase(part);
+  json steps = json::array();
+  for (const json& step : two["steps"]) {
+    if (step["kind"] != "fix") steps.push_back(step);
+  }
+  for (const char* name : {"other_first", "other_second"}) {
+    json step = steps[1];
+    step["id"] = step["cut"] = name;
+    step["after"] = {"close"};
+    steps.push_back(step);
+  }
+  scenarios_test::entry_named(two["cuts"], "other_first");
+  for (json& step : steps) {
+    if (step["kind"] == "finish") step["after"] = {"other_first", "other_second"};
+  }
+  two["steps"] = steps;
+  const Plan plan = plan_on(scenarios_test::coarse(two), bone_);
+  const std::vector<simulator::PlannedBridge> bridges = planned_bridges(plan);
+  ASSERT_EQ(bridges.size(), 2U);
+  EXPECT_GT(bridges[0].line.outward.z, 0.9);
+  EXPECT_LT(bridges[1].line.outward.z, -0.9);
+  EXPECT_NEAR(plan.hinges[1].wedge_rad, 8.0 * std::acos(-1.0) / 180.0, rounding);
+  EXPECT_EQ(find_cut(plan, "other_second")->hinge, "medial_hinge");
+}
+
+}  // namespace
+}  // namespace hallux::scenarios
