@@ -59,14 +59,15 @@ BladeContacts find_ball_contacts(const RigidTransform& body_from_tool, const Bor
                                      within_mm, memory[i]);
     if (!near || near->height_mm > within_mm) continue;
     contacts.list[contacts.count++] = {contact_point(i), arm_mm - ball.radius_mm * near->normal,
-                                       near->normal, near->height_mm - ball.radius_mm};
+                                       near->normal, near->height_mm - ball.radius_mm, i == 0};
   }
   return contacts;
 }
 
 const BladeContact* tip_contact(const BladeContacts& contacts) noexcept {
   const auto all = contacts.all();
-  const auto found = std::find_if(all.begin(), all.end(), is_tooth);
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [](const BladeContact& contact) { return contact.is_tooth; });
   return found == all.end() || found->gap_mm > on_surface_mm ? nullptr : &*found;
 }
 
@@ -91,7 +92,7 @@ double bored_mm(const BoreToolState& tool) noexcept {
 /// A tip that has bored is held as by the surface that it met: an edge beside it may be nearer, and
 /// is no way for it. What it stands on otherwise is remembered.
 void keep_touched_surface(BoreToolState& tool, BladeContacts& contacts) noexcept {
-  if (contacts.count == 0 || !is_tooth(contacts.list[0])) return;
+  if (contacts.count == 0 || !contacts.list[0].is_tooth) return;
   BladeContact& tip = contacts.list[0];
   const bool has_bored = tool.stage == BoreStage::OnBone && tool.touch_depth_mm > tip_radius_mm;
   if (!has_bored || tip.gap_mm >= -tip_radius_mm || tip.gap_mm < -bored_mm(tool)) {
@@ -104,7 +105,7 @@ void keep_touched_surface(BoreToolState& tool, BladeContacts& contacts) noexcept
 
 /// A tip that came into bone without boring, around an edge that it slid over, is led out again.
 void lead_out(BoreToolState& tool, const BladeContacts& contacts) noexcept {
-  if (contacts.count == 0 || !is_tooth(contacts.list[0])) return;
+  if (contacts.count == 0 || !contacts.list[0].is_tooth) return;
   const BladeContact& tip = contacts.list[0];
   const double excess_mm = -tip.gap_mm - bored_mm(tool);
   if (excess_mm > 0.0)

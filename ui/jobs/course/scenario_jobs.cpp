@@ -209,8 +209,11 @@ CheckedScenario check_scenario_file(const std::filesystem::path& file) {
   checked.scenario = read_scenario(file);
   Scenario coarse = checked.scenario;
   coarse.patient.edge_mm = std::max(coarse.patient.edge_mm, check_edge_mm);
-  checked.bone = make_patient(coarse);
-  checked.plan = plan_on(coarse, checked.bone);
+  for (PatientRequest& bone : coarse.further_bones)
+    bone.edge_mm = std::max(bone.edge_mm, check_edge_mm);
+  std::vector<simulator::Bone> bones = make_patient_bones(coarse);
+  checked.plan = plan_on(coarse, bones);
+  checked.bone = std::move(bones.front());
   return checked;
 }
 

@@ -1,0 +1,79 @@
+// The sheet that a surgeon reads in place of JSON: nothing of a scenario may be missing on it.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <span>
+
+#include "simulator/base/embedded.h"
+#include "tests/support/temporary_directory.h"
+#include "ui/jobs/course/scenario_jobs.h"
+
+namespace hallux::ui_test {
+std::span<const EmbeddedText> sheet_scenarios() noexcept;
+}
+
+namespace hallux::ui {
+namespace {
+
+using nlohmann::json;
+
+/// Every text under one of these keys.
+void collect(const json& node, std::vector<std::string>& texts) {
+  for (const auto& [key, value] : node.items()) {
+    const bool is_shown = key == "origin" || key == "name" || key == "id" || key == "after";
+    if (value.is_structured()) {
+      collect(value, texts);
+    } else if (node.is_object() && is_shown && key != "id") {
+      texts.push_back(value.get<std::string>());
+    }
+  }
+}
+
+TEST(ScenarioSheet, NamesEveryPartOfFormat2WithItsOrigin) {
+  for (const EmbeddedText& file : ui_test::sheet_scenarios()) {
+    const std::string sheet = scenario_sheet(scenarios::parse_scenario(file.text, file.name));
+    json parts = json::parse(file.text);
+    for (const char* not_on_it : {"sources", "rubric", "joint_surfaces"}) parts.erase(not_on_it);
+    std::vector<std::string> texts;
+    collect(parts, texts);
+    ASSERT_GT(texts.size(), 40U);
+    for (const std::string& text : texts)
+      EXPECT_NE(sheet.find(text), std::string::npos) << file.name << ": " << text;
+  }
+}
+
+TEST(ScenarioSheet, SaysAnglesLengthsAndTheOrderOfSteps) {
+  const EmbeddedText chevron = ui_test::sheet_scenarios()[1];
+  const std::string sheet = scenario_sheet(scenarios::parse_scenario(chevron.text, chevron.name));
+  for (const char* line :
+       {"through apex, contains wire, turned about it by -30 deg from shaft",
+        "both sides are kept, measured is dorsal_of_shaft; approach medial_of_shaft; only beyond "
+        "apex base_wards",
+        "to_lateral: Head to lateral, of head; 5 mm along wire; closed until the faces touch",
+        "screw of 2.5 to 3 mm from screw_entry along screw_axis", "22 to 26 mm deep",
+        "2 mm clear of head_surface", "[fix screw, after hold]",
+        "[retract, after verify, optional]", "medial_of_shaft turned by 5 deg about shaft"})
+    EXPECT_NE(sheet.find(line), std::string::npos) << line << "\n" << sheet;
+}
+
+/// A patient of two bones is planned on both.
+TEST(ScenarioSheet, ChecksAFileOnAllOfItsBones) {
+  json chevron = json::parse(ui_test::sheet_scenarios()[1].text);
+  chevron["patient"]["bones"].push_back({{"bone", "first_proximal_phalanx"},
+                                         {"length_mm", 33},
+                                         {"edge_mm", 0.3},
+                                         {"origin", "author: a test."}});
+  chevron["danger_zones"][0]["bone"] = "first_proximal_phalanx";
+  chevron["danger_zones"][0]["from_in_bone_mm"] = {0, 12, 2};
+  const tests::TemporaryDirectory temporary;
+  const std::filesystem::path file = temporary.path() / "chevron.json";
+  std::ofstream(file) << chevron.dump();
+  const CheckedScenario checked = check_scenario_file(file);
+  EXPECT_EQ(checked.bone.name, "first_metatarsal");
+  EXPECT_EQ(checked.plan.danger_zones.at(0).bone, 1U);
+  EXPECT_EQ(checked.plan.cuts.size(), 4U);
+}
+
+}  // namespace
+}  // namespace hallux::ui
