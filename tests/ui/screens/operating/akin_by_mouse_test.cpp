@@ -20,7 +20,8 @@ using simulator::CutEvent;
 using simulator::CutEventKind;
 using testing::ElementsAre;
 
-constexpr double overlap_mm = 3.0, hover_mm = 10.0;
+/// Strokes that reach further beyond the bone touch what lies beside it.
+constexpr double overlap_mm = 3.0, margin_mm = 0.5, hover_mm = 10.0;
 /// How far the pointer runs ahead of the saw: 2/3 N for each millimetre, 16 N.
 constexpr double ahead_mm = 24.0;
 /// A hand that stops in cortex presses with what the bone takes without giving way.
@@ -86,8 +87,9 @@ class AkinByMouse : public testing::Test {
   void saw_cut(SteadyHand& hand, std::size_t cut) {
     hand.toggle_saw();
     for (const Stroke& stroke : scenarios::stopped(
-             scenarios::plan_strokes(aimed_[cut].region,
-                                     {prepared_case_->scenario.saw.blade.width_mm, overlap_mm}),
+             scenarios::plan_strokes(
+                 aimed_[cut].region,
+                 {prepared_case_->scenario.saw.blade.width_mm, overlap_mm, margin_mm}),
              aimed_[cut].stop_mm.value())) {
       saw(hand, world_from_kerf(aimed_[cut]), stroke);
     }
@@ -152,7 +154,8 @@ TEST_F(AkinByMouse, IsOperatedToItsClosedHingeAndScoredWhole) {
   EXPECT_GT(card.score_milli, 60000);
   for (const database::GateResult& gate : card.gates) EXPECT_FALSE(gate.is_triggered) << gate.text;
   for (const database::LedgerLine& line : card.ledger) {
-    EXPECT_TRUE(line.is_measured) << line.item;
+    // A hand that hardly moves freely is not judged by how smoothly it does.
+    EXPECT_TRUE(line.is_measured || line.points_lost_milli == 0) << line.item;
     std::printf("%s\n", line.text.c_str());
   }
   std::printf("score %.1f of %.0f measured, %.0f s\n",
