@@ -27,8 +27,8 @@ void freeze_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recordi
   }
 }
 
-/// The same, and opens them: `swept(index, risen)` is called after each sample, with `kerfs` as they
-/// stood then and those that the sample raised.
+/// The same, and opens them: `swept(index, risen)` is called after each sample, with `kerfs` as
+/// they stood then and those that the sample raised.
 template <typename Frozen, typename Swept>
 void open_kerfs(simulator::KerfSet& kerfs, const simulator::Recording& recording, Frozen&& frozen,
                 Swept&& swept) {

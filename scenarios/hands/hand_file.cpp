@@ -10,8 +10,13 @@ namespace hallux::scenarios {
 
 namespace {
 
+using simulator::Command;
+using simulator::CommandKind;
+
 constexpr std::size_t text_limit = std::size_t{16} << 20U;
 constexpr std::size_t key_limit = 200'000;
+constexpr std::size_t command_limit = 10'000;
+constexpr std::int32_t piece_limit = 1000, hinge_limit = 31, step_limit = 100;
 constexpr double time_limit_s = 3600.0;
 constexpr double tip_limit_mm = 1000.0;
 constexpr double length_min = 1.0e-3, length_max = 1.0e3;
@@ -50,12 +55,82 @@ simulator::HandKey key_from(const JsonNode& key) {
   return parsed;
 }
 
+/// The piece that a command names; the one that came free last where it names none.
+std::int32_t piece_of(const JsonNode& command) {
+  return command.has("piece") ? command.at("piece").integer(1, piece_limit)
+                              : simulator::piece_freed_last;
+}
+
+/// What `do` means, without its time.
+Command command_from(const JsonNode& node) {
+  const std::string what = node.at("do").one_of(
+      {"take_out", "grip", "impact", "release", "close_hinge", "step_done", "reopen_step"});
+  if (what == "take_out" || what == "grip") {
+    node.expect_keys({"time_s", "do"}, {"piece"});
+    return {what == "grip" ? CommandKind::Grip : CommandKind::PickUp, piece_of(node), 0};
+  }
+  if (what == "close_hinge") {
+    node.expect_keys({"time_s", "do"}, {"hinge"});
+    const std::int32_t hinge = node.has("hinge") ? node.at("hinge").integer(0, hinge_limit) : 0;
+    return {CommandKind::CloseHinge, hinge, 0};
+  }
+  if (what == "step_done" || what == "reopen_step") {
+    node.expect_keys({"time_s", "do", "step"});
+    const std::int32_t step = node.at("step").integer(1, step_limit) - 1;
+    return {what == "step_done" ? CommandKind::StepDone : CommandKind::ReopenStep, step, 0};
+  }
+  node.expect_keys({"time_s", "do"});
+  return {what == "impact" ? CommandKind::Impact : CommandKind::Release, 0, 0};
+}
+
+/// What is said in a motion, in its order; the forceps hold one piece at a time.
+class Commands {
+ public:
+  Commands(std::int64_t first_tick, std::int64_t last_tick)
+      : tick_(first_tick), last_tick_(last_tick) {}
+
+  simulator::HandCommand take(const JsonNode& node) {
+    node.expect_keys({"time_s", "do"}, {"piece", "hinge", "step"});
+    const JsonNode time = node.at("time_s");
+    const auto tick = static_cast<std::int64_t>(time.number(0.0, time_limit_s) / step_s + 0.5);
+    if (tick <= tick_)
+      time.refuse_value("begin after the first key, and let time_s grow from command to command");
+    if (tick > last_tick_) time.refuse_value("give a time that is not after the last key's");
+    tick_ = tick;
+    const Command command = command_from(node);
+    watch_forceps(node, command);
+    return {tick, command};
+  }
+  /// needs   the last of them was taken
+  void expect_open_forceps(const JsonNode& list) const {
+    if (is_gripped_) list.refuse_value("let the forceps release the piece before the motion ends");
+  }
+
+ private:
+  void watch_forceps(const JsonNode& node, const Command& command) {
+    const bool is_grip = command.kind == CommandKind::Grip;
+    const bool needs_piece =
+        command.kind == CommandKind::Release || command.kind == CommandKind::Impact;
+    if (is_grip && is_gripped_)
+      node.at("do").refuse_value("let the forceps release the piece that they hold first");
+    if (needs_piece && !is_gripped_)
+      node.at("do").refuse_value("let the forceps grip a piece first");
+    if (is_grip) is_gripped_ = true;
+    if (command.kind == CommandKind::Release) is_gripped_ = false;
+  }
+
+  /// Of the command before; at first of the key that starts the attempt.
+  std::int64_t tick_;
+  std::int64_t last_tick_;
+  bool is_gripped_ = false;
+};
+
 }  // namespace
 
 simulator::HandMotion parse_hand_motion(std::string_view text, std::string_view name) {
   const nlohmann::json document = parse_bounded_json(text, name, text_limit);
   const JsonNode root(document, name);
-  root.expect_keys({"keys"});
+  root.expect_keys({"keys"}, {"commands"});
   simulator::HandMotion motion;
   for (const JsonNode& key : root.at("keys").list(1, key_limit)) {
     const simulator::HandKey parsed = key_from(key);
@@ -64,9 +139,18 @@ simulator::HandMotion parse_hand_motion(std::string_view text, std::string_view 
     }
     motion.keys.push_back(parsed);
   }
-  motion.commands = {{motion.keys.front().tick, {simulator::CommandKind::Start, 0, 0}},
-                     {motion.keys.back().tick, {simulator::CommandKind::PickUp, 1, 0}},
-                     {motion.keys.back().tick + 1, {simulator::CommandKind::Finish, 0, 0}}};
+  const std::int64_t first_tick = motion.keys.front().tick, last_tick = motion.keys.back().tick;
+  motion.commands = {{first_tick, {CommandKind::Start, 0, 0}}};
+  if (root.has("commands")) {
+    const JsonNode list = root.at("commands");
+    Commands commands(first_tick, last_tick);
+    for (const JsonNode& command : list.list(0, command_limit))
+      motion.commands.push_back(commands.take(command));
+    commands.expect_open_forceps(list);
+  } else {
+    motion.commands.push_back({last_tick, {CommandKind::PickUp, 1, 0}});
+  }
+  motion.commands.push_back({last_tick + 1, {CommandKind::Finish, 0, 0}});
   return motion;
 }
 

@@ -8,7 +8,8 @@
 namespace hallux::scenarios {
 
 /// A motion from a JSON text: {"keys": [{"time_s", "tip_mm", "direction", "normal", "saw"}...]}, in
-/// the world frame.
+/// the world frame; and what is said in it, {"commands": [{"time_s", "do", ...}...]}. Without
+/// commands the first piece that came free is taken out at the end.
 /// errors  ScenarioError with `name`, the path and the mend
 simulator::HandMotion parse_hand_motion(std::string_view json, std::string_view name);
 

@@ -1,4 +1,4 @@
-/// The hinge that closes about the bridge that an operation wants left. Inside this room only.
+/// The hinge that closes about the bridge that an operation wants left.
 #pragma once
 
 #include "simulator/bone/cut_bone.h"

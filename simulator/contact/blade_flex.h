@@ -23,8 +23,8 @@ struct BladeBeam {
 double deflection_mm(const BladeBeam& beam, double side_force_newton) noexcept;
 
 /// How much of the blade stands out of the bone, from the collar forward to where its middle line
-/// enters a fragment's outer surface as it was before its kerfs: the whole depth in air, 0 where the
-/// collar is inside [mm].
+/// enters a fragment's outer surface as it was before its kerfs: the whole depth in air, 0 where
+/// the collar is inside [mm].
 /// thread  haptic; allocates nothing
 double free_length_mm(const RigidTransform& bone_from_tool, double depth_mm,
                       const Wound& bone) noexcept;

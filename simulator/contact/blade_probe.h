@@ -1,5 +1,5 @@
 /// Questions a blade asks of the bone around it: which teeth stand in what, and whether an edge is
-/// free. Inside this corner only.
+/// free. Inside this room only.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,8 @@ std::int32_t teeth_in_fragment(const WoundFragment& standing, const RigidTransfo
 Engagement engagement(const RigidTransform& bone_from_tool, const Wound& bone, double ahead_mm,
                       OfFragments<TeethMemory>& teeth) noexcept;
 
-/// The fragment in which most of the teeth stand; of as many the first, -1 where they stand in none.
+/// The fragment in which most of the teeth stand; of as many the first, -1 where they stand in
+/// none.
 /// counts   whether a fragment of that number is asked about
 template <typename Counts>
 std::int32_t fragment_at_teeth(const RigidTransform& bone_from_tool, const Wound& bone,

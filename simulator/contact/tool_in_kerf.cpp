@@ -361,9 +361,7 @@ void move_in_kerf(ToolState& tool, const ToolInput& input, const Wound& bone,
   outcome.broke_through = breaks_through(tool, outcome.engaged.width_mm() > 0.0, fed_mm,
                                          flat_pose(plane, planar), bone);
   if (forward_mm < 0.0 && !blade_is_in_bone(flat_pose(plane, planar), bone)) {
-    tool.stage = ToolStage::Free;
-    tool.is_held = true;
-    tool.kerf = -1;
+    leave_kerf(tool);
   }
 }
 
@@ -383,6 +381,13 @@ void enter_kerf(ToolState& tool, std::int32_t kerf) noexcept {
   tool.stage = ToolStage::InKerf;
   tool.kerf = kerf;
   tool.may_break_through = tool.slides = false;
+}
+
+void leave_kerf(ToolState& tool) noexcept {
+  if (tool.stage != ToolStage::InKerf) return;
+  tool.stage = ToolStage::Free;
+  tool.is_held = true;
+  tool.kerf = -1;
 }
 
 }  // namespace hallux::simulator

@@ -154,5 +154,7 @@ std::int32_t find_kerf_to_join(const RigidTransform& bone_from_tool, const Wound
 
 /// Holds the tool to a kerf's plane from now on; it comes there gently.
 void enter_kerf(ToolState& tool, std::int32_t kerf) noexcept;
+/// No kerf holds the tool any more; outside of one nothing changes.
+void leave_kerf(ToolState& tool) noexcept;
 
 }  // namespace hallux::simulator

@@ -19,7 +19,11 @@ class GuideOfStep {
   void finish_step(std::int32_t step) noexcept { step_at_hand_ = std::int64_t{step} + 1; }
   /// That step is at hand again, with the kerf that was made in it.
   void reopen_step(std::int32_t step) noexcept { step_at_hand_ = step; }
-  /// A kerf began in the step at hand.
+  /// A kerf began in the step at hand, where the blade lies in it now.
+  void note_own_kerf(const RigidTransform& bone_from_kerf) noexcept {
+    const Vec3 normal = axis_z(bone_from_kerf);
+    note_own_kerf({normal, glm::dot(normal, bone_from_kerf.translation_mm)});
+  }
   void note_own_kerf(const GuidePlane& plane) noexcept {
     if (is_guided_step()) own_kerfs_[static_cast<std::size_t>(step_at_hand_)] = plane;
   }

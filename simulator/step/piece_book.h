@@ -1,8 +1,8 @@
 /// The book of pieces: known from the last jobs, announced one by one, wanted, taken out, parted.
 /// Inside this corner only.
 ///
-/// Each fragment has its pieces. One of them is the fragment itself: of a bone it stays for good; of
-/// a piece that was parted it may still be taken out, and then nothing of that fragment is left.
+/// Each fragment has its pieces. One of them is the fragment itself: of a bone it stays for good;
+/// of a piece that was parted it may still be taken out, and then nothing of that fragment is left.
 #pragma once
 
 #include <array>

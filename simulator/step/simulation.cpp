@@ -32,24 +32,9 @@ static_assert(events_of_commands + events_of_fault + sections_per_step + pieces_
                   events_of_piece_taken + events_of_grip + events_of_motion <=
               events_per_step);
 
-void mark(ToolSample& sample, ToolStatus status, bool is_so) noexcept {
-  if (is_so) sample.status |= bit(status);
-}
-
 std::int64_t thousandths(double value) noexcept {
   return static_cast<std::int64_t>(value * 1000.0 + 0.5);
 }
-
-std::array<std::int32_t, 3> millinewton_from(const Vec3& force_newton) noexcept {
-  return {millinewton_from_newton(force_newton.x), millinewton_from_newton(force_newton.y),
-          millinewton_from_newton(force_newton.z)};
-}
-
-GuidePlane middle_of(const KerfPlane& kerf) noexcept {
-  const Vec3 normal = axis_z(kerf.bone_from_kerf);
-  return {normal, glm::dot(normal, kerf.bone_from_kerf.translation_mm)};
-}
-
 }  // namespace
 
 Simulation::Simulation(const TissueMap& tissue, const SimulationSetup& setup)
@@ -252,15 +237,7 @@ void Simulation::apply_hinge(JobResult& result, StepOutput& output) noexcept {
   fragments_.hang(moved, {hinge.joint.point_mm, hinge.joint.axis, hinge.bridge_radius_mm});
   stand(divided.fragment);
   stand(moved);
-  leave_kerf();
-}
-
-/// The bone moves under the blade: whatever kerf it stood in, it is held by none.
-void Simulation::leave_kerf() noexcept {
-  if (tool_.stage != ToolStage::InKerf) return;
-  tool_.stage = ToolStage::Free;
-  tool_.is_held = true;
-  tool_.kerf = -1;
+  leave_kerf(tool_);
 }
 
 /// A piece that is gripped for the first time becomes a fragment. The job's result is kept: the
@@ -275,7 +252,7 @@ void Simulation::apply_grip(JobResult& result, StepOutput& output) noexcept {
     return;
   }
   std::int32_t fragment = known.fragment;
-  leave_kerf();
+  leave_kerf(tool_);
   if (!known.is_own) {
     CHECK(pieces_.part(piece));
     say({tick_, CutEventKind::FragmentParted, piece, fragment, {}}, output);
@@ -405,7 +382,7 @@ void Simulation::move(const TapeLine& line, StepOutput& output) noexcept {
   if (outcome.wants_freeze) freeze(output);
   if (input.saw_runs && kerf_before >= 0 && kerf_before == kerf_of_tool()) follow_cut(output);
 
-  output.sample = sample_of(input, outcome);
+  output.sample = sample_of(at_end(), tool_, input, outcome, kerf_of_tool());
   mark(output.sample, ToolStatus::Irrigated, has(line.device.switches, Switch::Irrigates));
   output.engaged = outcome.engaged;
   output.torque_in_world_newton_mm =
@@ -423,15 +400,10 @@ void Simulation::move(const TapeLine& line, StepOutput& output) noexcept {
 void Simulation::lead_piece(const TapeLine& line, StepOutput& output) noexcept {
   const GrippedOutcome outcome =
       forceps_.lead(bone_from_handle(line), static_cast<double>(line.ticks) * step_s);
-  ToolSample& sample = output.sample;
-  sample.tick = tick_;
-  sample.world_from_tool = quantise(world_from_bone_ * forceps_.wound_from_piece());
-  sample.force_mn = millinewton_from(transform_direction(world_from_bone_, outcome.force_newton));
-  mark(sample, ToolStatus::InContact, outcome.is_touching);
-  mark(sample, ToolStatus::ForceLimited, outcome.is_force_limited);
+  output.sample = sample_of(at_end(), forceps_.wound_from_piece(), outcome);
   output.torque_in_world_newton_mm =
       transform_direction(world_from_bone_, outcome.torque_newton_mm);
-  kerfs_.apply(sample);
+  kerfs_.apply(output.sample);
 }
 
 /// The forceps were put down: the saw comes back into the hand where its blade is clear of bone.
@@ -451,22 +423,6 @@ void Simulation::stand_still(StepOutput& output) noexcept {
   output.sample.world_from_tool = quantise(world_from_bone_ * held);
   // A sample in no kerf ends a sweep, here as for those who follow the record.
   kerfs_.apply(output.sample);
-}
-
-ToolSample Simulation::sample_of(const ToolInput& input,
-                                 const ToolOutcome& outcome) const noexcept {
-  ToolSample sample;
-  sample.tick = tick_;
-  sample.world_from_tool = quantise(world_from_bone_ * tool_.bone_from_tool);
-  sample.force_mn =
-      millinewton_from(transform_direction(world_from_bone_, outcome.force_in_bone_newton));
-  sample.kerf = kerf_of_tool();
-  mark(sample, ToolStatus::SawOn, input.saw_runs);
-  mark(sample, ToolStatus::InKerf, tool_.stage == ToolStage::InKerf);
-  mark(sample, ToolStatus::InContact, outcome.engaged.width_mm() > 0.0);
-  mark(sample, ToolStatus::Cutting, outcome.advance_mm > 0.0);
-  mark(sample, ToolStatus::ForceLimited, outcome.is_force_limited);
-  return sample;
 }
 
 void Simulation::report(const ToolOutcome& outcome, StepOutput& output) const noexcept {
@@ -495,7 +451,7 @@ void Simulation::freeze(StepOutput& output) noexcept {
       tool_.is_refused = true;
       return;
     }
-    guide_.note_own_kerf(middle_of(wound().plane(kerf)));
+    guide_.note_own_kerf(wound().plane(kerf).bone_from_kerf);
   }
   is_cut_refused_ = false;
   enter_kerf(tool_, kerf);

@@ -21,6 +21,7 @@
 #include "simulator/step/hinge_requests.h"
 #include "simulator/step/piece_book.h"
 #include "simulator/step/piece_requests.h"
+#include "simulator/step/recorded_tool.h"
 #include "simulator/step/standing_fragments.h"
 #include "simulator/step/tool_effects.h"
 #include "simulator/tool/saw.h"
@@ -106,13 +107,11 @@ class Simulation {
   void ask_for_grip(StepOutput& output) noexcept;
   void refuse_grip(GripRefusal why, StepOutput& output) noexcept;
   void let_go(StepOutput& output) noexcept;
-  void leave_kerf() noexcept;
   void take_up_saw(const TapeLine& line) noexcept;
   void place_tool(const TapeLine& line) noexcept;
   void move(const TapeLine& line, StepOutput& output) noexcept;
   void lead_piece(const TapeLine& line, StepOutput& output) noexcept;
   void stand_still(StepOutput& output) noexcept;
-  ToolSample sample_of(const ToolInput& input, const ToolOutcome& outcome) const noexcept;
   void freeze(StepOutput& output) noexcept;
   std::int32_t freeze_in(std::int32_t fragment, const RigidTransform& fragment_from_tool,
                          StepOutput& output) noexcept;
@@ -132,6 +131,7 @@ class Simulation {
     return tool_.stage == ToolStage::InKerf ? tool_.kerf : -1;
   }
   const Wound& wound() const noexcept { return fragments_.wound(); }
+  RecordedTick at_end() const noexcept { return {tick_, world_from_bone_}; }
   /// The fragment stands as it is now.
   void stand(std::int32_t fragment) noexcept {
     fragments_.stand(fragment, pieces_.removed(fragment));

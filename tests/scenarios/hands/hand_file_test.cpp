@@ -141,6 +141,57 @@ TEST(HandFile, RefusesTimeThatDoesNotGrow) {
                  {": keys[1]", "time_s", "grow by at least a millisecond"});
 }
 
+/// Two keys, and these commands between them.
+std::string said(const std::string& commands) {
+  std::string file = two_keys;
+  file.insert(file.rfind('}'), R"(, "commands": [)" + commands + "]");
+  return file;
+}
+
+TEST(HandFile, SaysCommandsAtTheirTimes) {
+  const simulator::HandMotion motion = parse_hand_motion(
+      said(R"({"time_s": 0.1, "do": "grip", "piece": 2}, {"time_s": 0.2, "do": "impact"},
+              {"time_s": 0.3, "do": "release"}, {"time_s": 0.4, "do": "take_out"},
+              {"time_s": 0.5, "do": "close_hinge", "hinge": 1},
+              {"time_s": 0.6, "do": "step_done", "step": 3})"),
+      "my_hand.json");
+  using simulator::CommandKind;
+  const std::vector<simulator::HandCommand> expected{
+      {1, {CommandKind::Start, 0, 0}},
+      {100, {CommandKind::Grip, 2, 0}},
+      {200, {CommandKind::Impact, 0, 0}},
+      {300, {CommandKind::Release, 0, 0}},
+      {400, {CommandKind::PickUp, simulator::piece_freed_last, 0}},
+      {500, {CommandKind::CloseHinge, 1, 0}},
+      {600, {CommandKind::StepDone, 2, 0}},
+      {1251, {CommandKind::Finish, 0, 0}}};
+  ASSERT_EQ(motion.commands.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(motion.commands[i].tick, expected[i].tick) << i;
+    EXPECT_EQ(motion.commands[i].command, expected[i].command) << i;
+  }
+}
+
+TEST(HandFile, TakesOutNothingByItselfWhereItSaysCommands) {
+  EXPECT_EQ(parse_hand_motion(said(""), "my_hand.json").commands.size(), 2U);
+}
+
+TEST(HandFile, RefusesCommandsThatCannotBeCarriedOut) {
+  const std::string grip = R"({"time_s": 0.1, "do": "grip"})";
+  expect_refusal(said(grip + R"(, {"time_s": 0.2, "do": "grip"})"),
+                 {": commands[1].do", "release the piece that they hold first"});
+  expect_refusal(said(grip), {": commands", "before the motion ends"});
+  expect_refusal(said(R"({"time_s": 0.1, "do": "release"})"),
+                 {": commands[0].do", "grip a piece first"});
+  expect_refusal(said(R"({"time_s": 0.1, "do": "fly"})"), {": commands[0].do", "grip"});
+  expect_refusal(said(R"({"time_s": 0.1, "do": "impact", "piece": 1})"),
+                 {": commands[0]", "\"piece\"", "unknown"});
+  expect_refusal(said(R"({"time_s": 0.0, "do": "take_out"})"), {": commands[0].time_s", "after"});
+  expect_refusal(said(R"({"time_s": 2.0, "do": "take_out"})"), {": commands[0].time_s", "last"});
+  expect_refusal(said(R"({"time_s": 0.1, "do": "take_out", "piece": 0})"),
+                 {": commands[0].piece", "from 1 to"});
+}
+
 TEST(HandFile, GivesFinitePosesOrNone) {
   for (const std::string direction : {"[1e200, 0, 0]", "[1e-200, 0, 0]", "[1e308, 1e308, 0]"}) {
     const std::string file = file_of(key_with("direction", direction));

@@ -50,11 +50,15 @@ class ADirectoryOfEngine7(AnOldDirectory, CommandTest):
     engine = 7
 
     def test_measures_the_same_from_the_recordings(self):
+        for (trigger,) in self.query("SELECT name FROM sqlite_master WHERE type = 'trigger' AND tbl_name LIKE 'measurement%'"):
+            self.alter(f"DROP TRIGGER {trigger}")
+        self.assertGreater(self.alter("DELETE FROM measurement"), 0)
         self.alter("DELETE FROM measurement_set")
         for operation in ("akin", "silver"):
-            for attempt in self.ask("rescore", operation, "--dry-run")["attempts"]:
-                self.assertIs(attempt["changed"], False, attempt)
-                self.assertEqual(attempt["before"]["score"], attempt["after"]["score"])
+            answer = self.ask("rescore", operation, "--dry-run")
+            self.assertEqual(answer["attempts"], 1)
+            for row in answer["rows"]:
+                self.assertEqual(row["before"]["score"], row["after"]["score"], row)
 
 
 if __name__ == "__main__":

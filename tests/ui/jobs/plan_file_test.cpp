@@ -88,6 +88,7 @@ TEST(PlanFile, TheHingeLiesInBothOfItsFaces) {
 TEST(PlanFile, AFaceAcrossTheBoneWithoutAHingeHasNoPlannedExit) {
   Planned made = planned("akin");
   made.plan.cuts[0].hinge.clear();
+  made.plan.cuts[0].has_exit = false;
   const json cut = file_of(made).at("cuts").at(0);
   EXPECT_TRUE(cut.at("hinge").is_null());
   EXPECT_TRUE(cut.at("exit_in_bone_mm").is_null());

@@ -117,7 +117,7 @@ TEST(CachedFields, BytesThatAreNoFieldsAreRefused) {
   beyond = made;
   beyond.front().window.v_first = -1;
   EXPECT_FALSE(fields_from(bytes_of(beyond)));
-  EXPECT_FALSE(fields_from(bytes_of(assessment::OpenedFields(5))));
+  EXPECT_FALSE(fields_from(bytes_of(assessment::OpenedFields(simulator::kerf_limit + 1))));
 }
 
 }  // namespace

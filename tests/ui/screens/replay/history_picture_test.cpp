@@ -150,7 +150,7 @@ TEST(HistoryPicture, ARecordingWithoutACutShowsTheWholeBone) {
   world.operation.recording.events.clear();
   for (auto& sample : world.operation.recording.samples) sample.kerf = -1;
   const auto history = simulator::build_history(
-      {world.operation.bone, world.operation.recording, world.opened(), std::nullopt});
+      {world.operation.bone, world.operation.recording, world.opened(), {}});
   const auto picture = picture_of(history, look_of(1, world.operation.bone), "uncut");
   simulator::BoneMoment moment(*history);
   moment.move_to(300);
