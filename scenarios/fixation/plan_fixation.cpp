@@ -85,8 +85,11 @@ class FixationPlanner {
     }
     for (const Body& other : bodies_) {
       if (other.bone != planned.bone || other.piece != *piece) continue;
-      throw ScenarioError(path + ": another fragment lies in the same piece" + of_bone +
-                          "; mend holds or the cuts");
+      std::string said = path;
+      said += ": another fragment lies in the same piece";
+      said += of_bone;
+      said += "; mend holds or the cuts";
+      throw ScenarioError(said);
     }
     planned.volume_mm3 = pieces.volumes_mm3()[*piece];
     bodies_.push_back({planned.bone, *piece, {}});

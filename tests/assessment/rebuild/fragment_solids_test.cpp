@@ -10,9 +10,7 @@
 namespace hallux::assessment {
 namespace {
 
-using simulator::Command;
 using simulator::CommandKind;
-using simulator::CutEventKind;
 using tests::blade_down;
 
 constexpr double cut_x_mm = 5.0;

@@ -20,23 +20,23 @@ class Akin2 : public testing::Test {
   static void SetUpTestSuite() {
     Scenario akin = load_shipped_scenario("akin");
     akin.patient.edge_mm = 1.0;
-    bone_ = make_patient(akin);
-    old_ = plan_on(akin, bone_);
-    plan_ = plan_on(scenarios_test::fixture("akin_2"), bone_);
+    bone = make_patient(akin);
+    plan_of_format_1 = plan_on(akin, bone);
+    plan_of_format_2 = plan_on(scenarios_test::fixture("akin_2"), bone);
   }
   static void TearDownTestSuite() {
-    bone_ = {};
-    old_ = plan_ = {};
+    bone = {};
+    plan_of_format_1 = plan_of_format_2 = {};
   }
 
-  inline static simulator::Bone bone_;
-  inline static Plan old_, plan_;
+  inline static simulator::Bone bone;
+  inline static Plan plan_of_format_1, plan_of_format_2;
 };
 
 TEST_F(Akin2, HasThePlanesOfFormat1) {
-  ASSERT_EQ(plan_.cuts.size(), 2U);
+  ASSERT_EQ(plan_of_format_2.cuts.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
-    const PlannedCut &cut = plan_.cuts[i], &old = old_.cuts[i];
+    const PlannedCut &cut = plan_of_format_2.cuts[i], &old = plan_of_format_1.cuts[i];
     EXPECT_EQ(cut.name, old.name);
     EXPECT_LT(length_of(cut.face.normal - old.face.normal), rounding) << cut.name;
     EXPECT_NEAR(cut.face.offset_mm, old.face.offset_mm, rounding);
@@ -51,25 +51,27 @@ TEST_F(Akin2, HasThePlanesOfFormat1) {
 }
 
 TEST_F(Akin2, HasTheHingeOfFormat1) {
-  ASSERT_EQ(plan_.hinges.size(), 1U);
-  const simulator::PlannedBridge &bridge = plan_.hinges[0].bridge, &old = old_.hinges[0].bridge;
+  ASSERT_EQ(plan_of_format_2.hinges.size(), 1U);
+  const simulator::PlannedBridge &bridge = plan_of_format_2.hinges[0].bridge,
+                                 &old = plan_of_format_1.hinges[0].bridge;
   EXPECT_LT(length_of(bridge.line.point_in_bone_mm - old.line.point_in_bone_mm), 1.0e-9);
   EXPECT_LT(length_of(bridge.line.axis - old.line.axis), rounding);
   EXPECT_LT(length_of(bridge.line.outward - old.line.outward), rounding);
   EXPECT_EQ(bridge.toward_moved, old.toward_moved);
-  EXPECT_NEAR(plan_.hinges[0].wedge_rad, old_.hinges[0].wedge_rad, rounding);
-  ASSERT_EQ(planned_bridges(plan_).size(), 1U);
-  EXPECT_EQ(planned_bridges(plan_)[0].line.point_in_bone_mm, bridge.line.point_in_bone_mm);
+  EXPECT_NEAR(plan_of_format_2.hinges[0].wedge_rad, plan_of_format_1.hinges[0].wedge_rad, rounding);
+  ASSERT_EQ(planned_bridges(plan_of_format_2).size(), 1U);
+  EXPECT_EQ(planned_bridges(plan_of_format_2)[0].line.point_in_bone_mm,
+            bridge.line.point_in_bone_mm);
 }
 
 TEST_F(Akin2, HoldsTheToeByAScrewOrByTwoWires) {
-  ASSERT_EQ(plan_.fixation.implants.size(), 3U);
-  for (const PlannedImplant& implant : plan_.fixation.implants) {
+  ASSERT_EQ(plan_of_format_2.fixation.implants.size(), 3U);
+  for (const PlannedImplant& implant : plan_of_format_2.fixation.implants) {
     EXPECT_EQ(implant.engages, (std::vector<std::string>{"toe", "first_proximal_phalanx"}));
     EXPECT_LT(implant.direction_in_bone.x, 0.0) << "proximal";
     EXPECT_GE(implant.clear_of.at(0).planned_mm, implant.clear_of[0].least_mm);
   }
-  const PlannedImplant& screw = *find_implant(plan_.fixation, "screw");
+  const PlannedImplant& screw = *find_implant(plan_of_format_2.fixation, "screw");
   EXPECT_GT(screw.direction_in_bone.z, 0.0) << "medial to lateral";
 }
 
@@ -94,7 +96,7 @@ TEST_F(Akin2, IsFixedByEitherAlternative) {
 TEST_F(Akin2, RefusesCutsThatLeaveNoWedgeBetweenThem) {
   json altered = fixture_json("akin_2");
   altered["cuts"][1]["keep"] = "proximal";
-  EXPECT_EQ(scenarios_test::plan_refusal_of(altered, bone_),
+  EXPECT_EQ(scenarios_test::plan_refusal_of(altered, bone),
             "akin_2: hinges[0] \"lateral_hinge\": \"proximal_face\" and \"distal_face\" keep the "
             "same side, and no wedge lies between them; mend keep");
 }
@@ -135,7 +137,7 @@ TEST_F(Akin2, MayHaveSeveralHinges) {
     if (step["kind"] == "finish") step["after"] = {"other_first", "other_second"};
   }
   two["steps"] = steps;
-  const Plan plan = plan_on(scenarios_test::coarse(two), bone_);
+  const Plan plan = plan_on(scenarios_test::coarse(two), bone);
   const std::vector<simulator::PlannedBridge> bridges = planned_bridges(plan);
   ASSERT_EQ(bridges.size(), 2U);
   EXPECT_GT(bridges[0].line.outward.z, 0.9);

@@ -21,29 +21,29 @@ constexpr double rounding = 1.0e-12;
 class Chevron : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    bone_ = make_patient(scenarios_test::fixture("chevron"));
-    plan_ = plan_on(scenarios_test::fixture("chevron"), bone_);
+    bone = make_patient(scenarios_test::fixture("chevron"));
+    plan = plan_on(scenarios_test::fixture("chevron"), bone);
   }
   static void TearDownTestSuite() {
-    bone_ = {};
-    plan_ = {};
+    bone = {};
+    plan = {};
   }
 
   static Vec3 landmark(std::string_view name) {
-    return simulator::find_landmark(bone_, name).value();
+    return simulator::find_landmark(bone, name).value();
   }
   static Vec3 shaft() { return unit(landmark("shaft_distal") - landmark("shaft_proximal")); }
   static Vec3 wire() {
     const Vec3 lateral(0.0, 0.0, 1.0);
     return unit(lateral - glm::dot(lateral, shaft()) * shaft());
   }
-  static const PlannedCut& cut(std::string_view name) { return *find_cut(plan_, name); }
+  static const PlannedCut& cut(std::string_view name) { return *find_cut(plan, name); }
   static std::string refusal(const json& altered) {
-    return scenarios_test::plan_refusal_of(altered, bone_);
+    return scenarios_test::plan_refusal_of(altered, bone);
   }
 
-  inline static simulator::Bone bone_;
-  inline static Plan plan_;
+  inline static simulator::Bone bone;
+  inline static Plan plan;
 };
 
 double degrees_between(const Vec3& a, const Vec3& b) {
@@ -88,7 +88,7 @@ TEST_F(Chevron, EndsBothArmsAtTheApex) {
 TEST_F(Chevron, LaysTheEminenceWhereFormat1DoesTo) {
   Scenario silver = load_shipped_scenario("silver");
   silver.patient.edge_mm = 1.0;
-  const PlannedCut old = plan_on(silver, bone_).cuts.at(0);
+  const PlannedCut old = plan_on(silver, bone).cuts.at(0);
   const PlannedCut& eminence = cut("eminence");
   EXPECT_LT(length_of(eminence.face.normal - old.face.normal), rounding);
   EXPECT_NEAR(eminence.face.offset_mm, old.face.offset_mm, 1.0e-10);
@@ -103,9 +103,9 @@ TEST_F(Chevron, LaysTheEminenceWhereFormat1DoesTo) {
 }
 
 TEST_F(Chevron, ShiftsTheHeadFiveMillimetresAlongTheWire) {
-  ASSERT_EQ(plan_.fixation.fragments.size(), 1U);
-  const PlannedFragment& head = plan_.fixation.fragments[0];
-  const PlannedShift& shift = *find_shift(plan_.fixation, "to_lateral");
+  ASSERT_EQ(plan.fixation.fragments.size(), 1U);
+  const PlannedFragment& head = plan.fixation.fragments[0];
+  const PlannedShift& shift = *find_shift(plan.fixation, "to_lateral");
   EXPECT_TRUE(shift.is_closed);
   EXPECT_EQ(shift.bone_from_before.rotation, Quat(1.0, 0.0, 0.0, 0.0));
   EXPECT_LT(length_of(shift.bone_from_before.translation_mm - 5.0 * wire()), rounding);
@@ -116,7 +116,7 @@ TEST_F(Chevron, ShiftsTheHeadFiveMillimetresAlongTheWire) {
 }
 
 TEST_F(Chevron, KeepsTheScrewBelowTheCartilageOfTheShiftedHead) {
-  const PlannedImplant& screw = *find_implant(plan_.fixation, "screw");
+  const PlannedImplant& screw = *find_implant(plan.fixation, "screw");
   EXPECT_EQ(screw.kind, ImplantKind::Screw);
   EXPECT_EQ(screw.length_mm, 24.0);
   EXPECT_EQ(screw.diameter_mm, 2.75);
@@ -133,8 +133,8 @@ TEST_F(Chevron, KeepsTheScrewBelowTheCartilageOfTheShiftedHead) {
   // The surface moves with the head: measured on the bone as it lay, it is the tip carried back.
   const Vec3 tip = screw.tip_in_bone_mm - 5.0 * wire();
   double nearest_mm = 100.0;
-  for (const std::uint32_t index : plan_.joint_surfaces.at(0).triangles) {
-    for (const Vec3& corner : simulator::corners_of(bone_.outer, index))
+  for (const std::uint32_t index : plan.joint_surfaces.at(0).triangles) {
+    for (const Vec3& corner : simulator::corners_of(bone.outer, index))
       nearest_mm = std::min(nearest_mm, length_of(corner - tip));
   }
   EXPECT_LE(screw.clear_of[0].planned_mm, nearest_mm);
@@ -163,7 +163,7 @@ TEST_F(Chevron, RefusesImplantsThatMissWhatTheyMustHold) {
 }
 
 TEST_F(Chevron, SetsTheAxisWireInTheHeadBeforeItIsShifted) {
-  const PlannedImplant& axis = *find_implant(plan_.fixation, "axis_wire");
+  const PlannedImplant& axis = *find_implant(plan.fixation, "axis_wire");
   EXPECT_TRUE(axis.is_temporary);
   EXPECT_LT(length_of(axis.direction_in_bone - wire()), rounding);
   const Vec3 way = landmark("head_centre") - axis.entry_in_bone_mm;

@@ -151,6 +151,7 @@ TEST(StepOrder, IsWorkedOutAtOnceHoweverManyWaysLeadThroughIt) {
   Steps between;
   std::vector<std::string> before{"v"};
   std::vector<std::string> ids;
+  ids.reserve(62);
   for (int i = 0; i < 62; ++i) ids.push_back("s" + std::to_string(i));
   for (const std::string& id : ids) {
     between.push_back(step(id.c_str(), before, "", true));

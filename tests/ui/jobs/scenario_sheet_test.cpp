@@ -48,8 +48,8 @@ TEST(ScenarioSheet, SaysAnglesLengthsAndTheOrderOfSteps) {
   const std::string sheet = scenario_sheet(scenarios::parse_scenario(chevron.text, chevron.name));
   for (const char* line :
        {"through apex, contains wire, turned about it by -30 deg from shaft",
-        "both sides are kept, measured is dorsal_of_shaft; approach medial_of_shaft; only beyond "
-        "apex base_wards",
+        "both sides are kept, measured is dorsal_of_shaft; approach medial_of_shaft;",
+        "approach medial_of_shaft; only beyond apex base_wards",
         "to_lateral: Head to lateral, of head; 5 mm along wire; closed until the faces touch",
         "screw of 2.5 to 3 mm from screw_entry along screw_axis", "22 to 26 mm deep",
         "2 mm clear of head_surface", "[fix screw, after hold]",

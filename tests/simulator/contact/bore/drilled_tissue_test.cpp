@@ -18,20 +18,20 @@ class DrilledBlock : public ::testing::Test {
  protected:
   std::optional<BallSurface> near(const Vec3& centre_mm, double radius_mm, double within_mm) {
     BallMemory memory;
-    return tissue.near_ball({centre_mm, radius_mm}, within_mm, memory);
+    return tissue_.near_ball({centre_mm, radius_mm}, within_mm, memory);
   }
 
-  BoreWorld world{cortical_bone(solid_block({40.0, 20.0, 30.0}))};
-  std::array<Capsule, 1> holes{Capsule{{0.0, 14.0, 0.0}, {0.0, 4.0, 0.0}, 2.0}};
-  RemainingTissue bone = world.standing();
-  DrilledTissue tissue{bone, holes};
+  BoreWorld world_{cortical_bone(solid_block({40.0, 20.0, 30.0}))};
+  std::array<Capsule, 1> holes_{Capsule{{0.0, 14.0, 0.0}, {0.0, 4.0, 0.0}, 2.0}};
+  RemainingTissue bone_ = world_.standing();
+  DrilledTissue tissue_{bone_, holes_};
 };
 
 TEST_F(DrilledBlock, IsAirInTheHoleAndBoneBesideIt) {
-  EXPECT_EQ(tissue.at({0.0, 5.0, 1.9}), Tissue::None);
-  EXPECT_EQ(tissue.at({0.0, 2.1, 0.0}), Tissue::None);
-  EXPECT_EQ(tissue.at({0.0, 1.9, 0.0}), Tissue::Cortical);
-  EXPECT_EQ(tissue.at({0.0, 5.0, 2.1}), Tissue::Cortical);
+  EXPECT_EQ(tissue_.at({0.0, 5.0, 1.9}), Tissue::None);
+  EXPECT_EQ(tissue_.at({0.0, 2.1, 0.0}), Tissue::None);
+  EXPECT_EQ(tissue_.at({0.0, 1.9, 0.0}), Tissue::Cortical);
+  EXPECT_EQ(tissue_.at({0.0, 5.0, 2.1}), Tissue::Cortical);
 }
 
 TEST_F(DrilledBlock, HasAWallAroundABallInTheHole) {
@@ -64,7 +64,7 @@ TEST_F(DrilledBlock, HasNoSkinOverTheMouthForABallThatFits) {
 
 TEST_F(DrilledBlock, HasSkinOverTheMouthForTheTipOfAToolThatIsWider) {
   BallMemory memory;
-  const auto skin = tissue.near_ball({{0.0, 10.3, 0.0}, 2.1}, 1.0, memory);
+  const auto skin = tissue_.near_ball({{0.0, 10.3, 0.0}, 2.1}, 1.0, memory);
   ASSERT_TRUE(skin.has_value());
   EXPECT_NEAR(skin->height_mm, 0.3, 1e-12);
 }
@@ -74,8 +74,8 @@ TEST_F(DrilledBlock, AnswersTheSameWithAMemory) {
   for (int i = 0; i <= 600; ++i) {
     const Vec3 centre{-3.0 + 0.01 * i, 13.0 - 0.02 * i, 0.5};
     BallMemory nothing;
-    const auto kept = tissue.near_ball({centre, 0.1}, 0.8, memory);
-    const auto fresh = tissue.near_ball({centre, 0.1}, 0.8, nothing);
+    const auto kept = tissue_.near_ball({centre, 0.1}, 0.8, memory);
+    const auto fresh = tissue_.near_ball({centre, 0.1}, 0.8, nothing);
     // A far answer may be left out by one of the two only where it is beyond what was asked for.
     const bool is_near = fresh && fresh->height_mm <= 0.8;
     ASSERT_EQ(kept && kept->height_mm <= 0.8, is_near) << i;
