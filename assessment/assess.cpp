@@ -82,8 +82,9 @@ void bound_geometry(std::vector<Measurement>& all, const Evidence& evidence) {
 }  // namespace
 
 Examination assess_fully(const scenarios::Scenario& scenario, const simulator::Bone& bone,
-                         const simulator::Recording& recording, std::string_view device_class,
+                         const simulator::Recorded& recorded, std::string_view device_class,
                          const Progress& progress) {
+  const simulator::Recording& recording = recorded.outputs;
   // The plan comes first: a scenario that does not fit the bone is refused before the long work.
   scenarios::Plan plan = plan_on(scenario, bone);
   FollowedEffects effects(bone, scenario.saw, plan);
@@ -92,7 +93,7 @@ Examination assess_fully(const scenarios::Scenario& scenario, const simulator::B
   Examination examination{std::move(plan), std::move(rebuilt), {}, {}, {}};
   find_faces(examination, scenario, recording);
   const Evidence evidence{scenario, examination.plan, examination.rebuilt, examination.faces,
-                          bone,     recording};
+                          bone,     recording,        recorded.tape};
   measure_all(examination, evidence, effects, part_of(progress, rebuilt_share, 1.0));
   examination.card =
       score_measurements(scenario, examination.measurements, device_class, recording.engine);

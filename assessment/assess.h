@@ -16,7 +16,7 @@
 #include "simulator/base/progress.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/mesh/bvh.h"
-#include "simulator/record/record.h"
+#include "simulator/record/tape_lines.h"
 
 namespace hallux::assessment {
 
@@ -30,11 +30,13 @@ struct Examination {
   database::ScoreCard card;
 };
 
+/// recorded      its tape is visited a few times
 /// device_class  of what the saw was led with; the rubric may have knots of its own for it
-/// errors  Cancelled; ScenarioError where the scenario does not fit the bone (see plan_on)
+/// errors  Cancelled; ScenarioError where the scenario does not fit the bone (see plan_on); those
+///         of whoever keeps the tape
 /// thread  any; the same arguments give the same card
 Examination assess_fully(const scenarios::Scenario& scenario, const simulator::Bone& bone,
-                         const simulator::Recording& recording, std::string_view device_class,
+                         const simulator::Recorded& recorded, std::string_view device_class,
                          const Progress& progress = {});
 
 /// What was kept of an attempt that was examined before.

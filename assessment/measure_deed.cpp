@@ -95,7 +95,7 @@ Measurement wedge_closed(const OperationStep& step, const Evidence& evidence) {
 std::vector<Measurement> measure_deeds(const Evidence& evidence, const Progress& progress) {
   std::vector<Measurement> made;
   const std::vector<TakenOut> taken =
-      pieces_taken_out(evidence.rebuilt, evidence.bone, evidence.recording, progress);
+      pieces_taken_out(evidence.rebuilt, evidence.bone, evidence.recorded(), progress);
   for (const OperationStep& step : evidence.scenario.steps) {
     if (step.kind == StepKind::Remove) made.push_back(piece_out(step, evidence, taken));
     if (step.kind == StepKind::Close) made.push_back(wedge_closed(step, evidence));

@@ -168,17 +168,27 @@ void add_saw_care(ProcessList& list, const Evidence& evidence, const simulator::
 
 /// A recording without its tape does not tell how the handle moved.
 Absence absence_of_movements(const Evidence& evidence) {
-  return evidence.recording.tape.empty() ? Absence::NotRecorded : Absence::Undefined;
+  return evidence.tape.count() == 0 ? Absence::NotRecorded : Absence::Undefined;
+}
+
+struct HandleFacts {
+  Pace pace;
+  FreeMovements movements;
+};
+
+/// The handle's track, tens of megabytes of a long attempt, is let go of.
+HandleFacts handle_facts(const Evidence& evidence) {
+  const std::vector<HandleStretch> stretches = handle_stretches(evidence.recorded());
+  return {measure_pace(evidence.recording, stretches), free_movements(stretches)};
 }
 
 void add_movements(ProcessList& list, const Evidence& evidence, const simulator::Bvh& surface) {
-  const std::vector<HandleStretch> stretches = handle_stretches(evidence.recording);
+  const auto [pace, movements] = handle_facts(evidence);
   const Smoothness smoothness =
-      measure_smoothness(stretches, handle_stretches(evidence.recording, 2));
+      measure_smoothness(movements, free_movements(handle_stretches(evidence.recorded(), 2)));
   const Absence why = absence_of_movements(evidence);
   list.add(Metric::Sparc, smoothness.sparc, why);
   list.add(Metric::Ldlj, smoothness.ldlj, why);
-  const Pace pace = measure_pace(evidence.recording, stretches);
   list.add(Metric::TimeS, pace.time_s, Absence::NotDone);
   list.add(Metric::PlanningS, pace.planning_s, Absence::NotMade);
   if (why == Absence::NotRecorded) {

@@ -15,7 +15,7 @@ namespace hallux::assessment {
 /// effects  followed over the whole recording
 /// ensures  every metric is there. What no bone was sawn for is not made; each earns no more than
 ///          the share of the planned cuts that was sawn, so that sawing nothing is no safe sawing
-/// errors   ScenarioError (see measure_path_ratio)
+/// errors   ScenarioError (see measure_path_ratio); those of whoever keeps the tape
 std::vector<Measurement> measure_process(const Evidence& evidence, const FollowedEffects& effects);
 
 }  // namespace hallux::assessment

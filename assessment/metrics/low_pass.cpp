@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
+#include <vector>
 
 #include "simulator/base/units.h"
 
@@ -26,42 +28,54 @@ Recursion butterworth(const LowPass& filter) {
           .a2 = (1.0 - std::sqrt(2.0) * warped + squared) * scale};
 }
 
-/// From the state in which the first value has always been there.
-void run(const Recursion& filter, std::vector<double>& values) {
-  double second = (filter.b2 - filter.a2) * values.front();
-  double first = (filter.b1 - filter.a1) * values.front() + second;
-  for (double& value : values) {
-    const double given = value;
-    value = filter.b0 * given + first;
-    first = filter.b1 * given - filter.a1 * value + second;
-    second = filter.b2 * given - filter.a2 * value;
+/// One way through the filter.
+class Way {
+ public:
+  /// From the state in which the first value has always been there.
+  Way(const Recursion& filter, double first_value)
+      : filter_(filter), second_((filter.b2 - filter.a2) * first_value) {
+    first_ = (filter.b1 - filter.a1) * first_value + second_;
   }
-}
 
-std::vector<double> continued(std::span<const double> values, std::size_t beyond) {
-  std::vector<double> longer;
-  longer.reserve(values.size() + 2 * beyond);
-  for (std::size_t i = beyond; i > 0; --i) longer.push_back(2.0 * values.front() - values[i]);
-  longer.insert(longer.end(), values.begin(), values.end());
+  double passed(double given) noexcept {
+    const double value = filter_.b0 * given + first_;
+    first_ = filter_.b1 * given - filter_.a1 * value + second_;
+    second_ = filter_.b2 * given - filter_.a2 * value;
+    return value;
+  }
+
+ private:
+  const Recursion& filter_;
+  double first_ = 0.0, second_ = 0.0;
+};
+
+/// What goes on before the first value and after the last, each in the order of time.
+struct Continued {
+  std::vector<double> before, after;
+};
+
+Continued continued(std::span<const double> values, std::size_t beyond) {
+  Continued made;
+  for (std::size_t i = beyond; i > 0; --i) made.before.push_back(2.0 * values.front() - values[i]);
   for (std::size_t i = 1; i <= beyond; ++i)
-    longer.push_back(2.0 * values.back() - values[values.size() - 1 - i]);
-  return longer;
+    made.after.push_back(2.0 * values.back() - values[values.size() - 1 - i]);
+  return made;
 }
 
 }  // namespace
 
-std::vector<double> low_passed(std::span<const double> values, const LowPass& filter) {
-  if (values.empty()) return {};
+void low_pass(std::span<double> values, const LowPass& filter) {
+  if (values.empty()) return;
   const auto period = static_cast<std::size_t>(std::ceil(filter.rate_hz / filter.cutoff_hz));
-  const std::size_t beyond = std::min(period, values.size() - 1);
-  std::vector<double> passed = continued(values, beyond);
+  Continued beyond = continued(values, std::min(period, values.size() - 1));
   const Recursion recursion = butterworth(filter);
-  run(recursion, passed);
-  std::reverse(passed.begin(), passed.end());
-  run(recursion, passed);
-  std::reverse(passed.begin(), passed.end());
-  const auto first = passed.begin() + static_cast<std::ptrdiff_t>(beyond);
-  return {first, first + static_cast<std::ptrdiff_t>(values.size())};
+  Way forward(recursion, beyond.before.empty() ? values.front() : beyond.before.front());
+  for (const double value : beyond.before) forward.passed(value);
+  for (double& value : values) value = forward.passed(value);
+  for (double& value : beyond.after) value = forward.passed(value);
+  Way backward(recursion, beyond.after.empty() ? values.back() : beyond.after.back());
+  for (const double value : beyond.after | std::views::reverse) backward.passed(value);
+  for (double& value : values | std::views::reverse) value = backward.passed(value);
 }
 
 }  // namespace hallux::assessment

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 namespace hallux::assessment {
 
@@ -11,12 +10,12 @@ struct LowPass {
   double rate_hz = 1000.0;
 };
 
-/// The values through a Butterworth filter of second order, forward and then backward: together of
-/// fourth order and without delay. Both ends are continued by the values turned about them, over
-/// one period of the cut-off or as far as there are values, and each way begins at rest there.
-/// shape   as many values as were given
+/// Takes the values, in place, through a Butterworth filter of second order, forward and then
+/// backward: together of fourth order and without delay. Both ends are continued by the values
+/// turned about them, over one period of the cut-off or as far as there are values, and each way
+/// begins at rest there.
 /// needs   0 < cutoff_hz < rate_hz / 2
 /// source  docs/metrics.md, "Smoothness"
-std::vector<double> low_passed(std::span<const double> values, const LowPass& filter);
+void low_pass(std::span<double> values, const LowPass& filter);
 
 }  // namespace hallux::assessment

@@ -22,41 +22,8 @@ bool is_free(std::uint32_t status) noexcept {
   return !has(status, ToolStatus::InContact) && !has(status, ToolStatus::InKerf);
 }
 
-/// One value of each free movement; its bound is of where the movement begins and ends, each within
-/// a tick.
+/// One value of each free movement.
 using Values = std::vector<Finding>;
-
-struct Movements {
-  Values arcs, jerks;
-};
-
-Movements movements_of(std::span<const HandleStretch> stretches) {
-  Movements found;
-  for (const HandleStretch& stretch : stretches) {
-    for_each_run(
-        stretch,
-        [&](std::size_t index) {
-          return is_free(stretch.status[index]) && stretch.speed_mm_s[index] >= least_speed_mm_s;
-        },
-        [&](std::size_t first, std::size_t last) {
-          const std::size_t count = last - first + 1;
-          if (count < least_ticks) return;
-          const auto speeds = std::span(stretch.speed_mm_s).subspan(first, count);
-          const auto shorter = speeds.subspan(1, count - 2);
-          const std::int64_t first_tick = stretch.tick_at(first), last_tick = stretch.tick_at(last);
-          const auto add = [&](Values& values, auto&& measure) {
-            const double value = measure(speeds, rate_hz);
-            const double bound = std::abs(value - measure(shorter, rate_hz));
-            // A speed that never bends, as no hand's is, has no jerk to tell of.
-            if (std::isfinite(value) && std::isfinite(bound))
-              values.push_back({value, first_tick, last_tick, bound});
-          };
-          add(found.arcs, spectral_arc_length);
-          add(found.jerks, log_dimensionless_jerk);
-        });
-  }
-  return found;
-}
 
 double median_of(const Values& movements, double fraction = 0.5) {
   std::vector<double> values;
@@ -101,11 +68,36 @@ std::optional<Finding> smoothness_of(const Values& movements, const Values& coar
 
 }  // namespace
 
-Smoothness measure_smoothness(std::span<const HandleStretch> stretches,
-                              std::span<const HandleStretch> coarse) {
-  const Movements movements = movements_of(stretches), coarser = movements_of(coarse);
-  return {smoothness_of(movements.arcs, coarser.arcs),
-          smoothness_of(movements.jerks, coarser.jerks)};
+FreeMovements free_movements(std::span<const HandleStretch> stretches) {
+  FreeMovements found;
+  for (const HandleStretch& stretch : stretches) {
+    for_each_run(
+        stretch,
+        [&](std::size_t index) {
+          return is_free(stretch.status[index]) && stretch.speed_mm_s[index] >= least_speed_mm_s;
+        },
+        [&](std::size_t first, std::size_t last) {
+          const std::size_t count = last - first + 1;
+          if (count < least_ticks) return;
+          const auto speeds = std::span(stretch.speed_mm_s).subspan(first, count);
+          const auto shorter = speeds.subspan(1, count - 2);
+          const std::int64_t first_tick = stretch.tick_at(first), last_tick = stretch.tick_at(last);
+          const auto add = [&](Values& values, auto&& measure) {
+            const double value = measure(speeds, rate_hz);
+            const double bound = std::abs(value - measure(shorter, rate_hz));
+            // A speed that never bends, as no hand's is, has no jerk to tell of.
+            if (std::isfinite(value) && std::isfinite(bound))
+              values.push_back({value, first_tick, last_tick, bound});
+          };
+          add(found.arcs, spectral_arc_length);
+          add(found.jerks, log_dimensionless_jerk);
+        });
+  }
+  return found;
+}
+
+Smoothness measure_smoothness(const FreeMovements& movements, const FreeMovements& coarse) {
+  return {smoothness_of(movements.arcs, coarse.arcs), smoothness_of(movements.jerks, coarse.jerks)};
 }
 
 }  // namespace hallux::assessment

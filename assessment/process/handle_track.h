@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "simulator/record/record.h"
+#include "simulator/record/tape_lines.h"
 
 namespace hallux::assessment {
 
@@ -26,7 +26,8 @@ struct HandleStretch {
 /// cover several ticks it is taken as having moved evenly; a pause and a gap end a stretch.
 /// together  so many lines count as one (see followed_places)
 /// needs     tape and samples are in the order of their ticks
-std::vector<HandleStretch> handle_stretches(const simulator::Recording& recording,
+/// errors    those of whoever keeps the tape
+std::vector<HandleStretch> handle_stretches(const simulator::Recorded& recorded,
                                             std::size_t together = 1);
 
 /// Calls visit(first, last), both ends included, for each longest run of ticks of a stretch for

@@ -40,7 +40,7 @@ void add_lines(PlaceStretch& stretch, const LineSum& lines, const Vec3& place_mm
 
 }  // namespace
 
-std::vector<PlaceStretch> followed_places(const simulator::Recording& recording,
+std::vector<PlaceStretch> followed_places(const simulator::Recorded& recorded,
                                           const PlaceAt& place_at, std::size_t together) {
   std::vector<PlaceStretch> stretches;
   PlaceStretch stretch;
@@ -48,24 +48,25 @@ std::vector<PlaceStretch> followed_places(const simulator::Recording& recording,
   const auto end_stretch = [&] {
     lines = {};
     if (stretch.count() == 0) return;
-    for (std::vector<double>& axis_mm : stretch.axes_mm) axis_mm = low_passed(axis_mm, {});
+    for (std::vector<double>& axis_mm : stretch.axes_mm) low_pass(axis_mm, {});
     stretches.push_back(std::exchange(stretch, {}));
   };
-  auto sample = recording.samples.begin();
+  const std::vector<simulator::ToolSample>& samples = recorded.outputs.samples;
+  auto sample = samples.begin();
   std::int64_t next_tick = 0;
-  for (const TapeLine& line : recording.tape) {
+  recorded.tape.visit([&](const TapeLine& line) {
     const std::int64_t last_tick = line.tick + line.ticks - 1;
-    while (sample != recording.samples.end() && sample->tick < last_tick) ++sample;
-    const bool is_told = sample != recording.samples.end() && sample->tick == last_tick;
+    while (sample != samples.end() && sample->tick < last_tick) ++sample;
+    const bool is_told = sample != samples.end() && sample->tick == last_tick;
     const bool runs = is_told && has(sample->status, simulator::ToolStatus::Running);
     const std::optional<Vec3> place_mm = runs ? place_at(line, *sample) : std::nullopt;
     if (!place_mm || line.tick != next_tick) end_stretch();
     next_tick = last_tick + 1;
-    if (!place_mm) continue;
+    if (!place_mm) return;
     lines.add(line);
-    if (lines.count < together) continue;
+    if (lines.count < together) return;
     add_lines(stretch, std::exchange(lines, {}), *place_mm, sample->status);
-  }
+  });
   end_stretch();
   return stretches;
 }

@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "simulator/base/vector.h"
-#include "simulator/record/record.h"
+#include "simulator/record/tape_lines.h"
 
 namespace hallux::assessment {
 
-/// Ticks that follow each other while the attempt's clock ran; one entry a tick.
+/// Ticks that follow each other while the attempt's clock ran; one entry a tick, of 28 bytes: who
+/// follows a place twice lets go of the first before.
 struct PlaceStretch {
   std::int64_t first_tick = 0;
   std::array<std::vector<double>, 3> axes_mm;
@@ -35,7 +36,8 @@ using PlaceAt = std::function<std::optional<Vec3>(const simulator::TapeLine& lin
 /// together  so many lines count as one, as if the last of them alone had been recorded: what twice
 ///           the steps would make of it
 /// needs   tape and samples are in the order of their ticks
-std::vector<PlaceStretch> followed_places(const simulator::Recording& recording,
+/// errors  those of whoever keeps the tape
+std::vector<PlaceStretch> followed_places(const simulator::Recorded& recorded,
                                           const PlaceAt& place_at, std::size_t together = 1);
 
 }  // namespace hallux::assessment

@@ -1,6 +1,7 @@
 #include "assessment/process/tool_path.h"
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "assessment/process/place_track.h"
@@ -51,6 +52,21 @@ double ends_bound_mm(const std::vector<PlaceStretch>& stretches) {
   return bound_mm;
 }
 
+/// What stretches tell, without their places.
+struct Way {
+  Vec3 from_in_bone_mm{0.0, 0.0, 0.0};
+  double length_mm = 0.0, ends_bound_mm = 0.0;
+  std::int64_t first_tick = 0, last_tick = 0;
+};
+
+std::optional<Way> way_along(const std::vector<PlaceStretch>& stretches) {
+  if (stretches.empty()) return std::nullopt;
+  const PlaceStretch& first = stretches.front();
+  const PlaceStretch& last = stretches.back();
+  return Way{first.at_mm(0), length_mm(stretches), ends_bound_mm(stretches), first.first_tick,
+             last.first_tick + static_cast<std::int64_t>(last.count()) - 1};
+}
+
 }  // namespace
 
 std::optional<Finding> measure_path_ratio(const Evidence& evidence, const simulator::Bvh& surface) {
@@ -61,16 +77,13 @@ std::optional<Finding> measure_path_ratio(const Evidence& evidence, const simula
     if (!near.holds(tip_mm)) return std::nullopt;
     return tip_mm;
   };
-  const std::vector<PlaceStretch> stretches = followed_places(evidence.recording, tip_near_bone);
-  if (stretches.empty()) return std::nullopt;
-  const double plan_mm = shortest_mm(evidence, stretches.front().at_mm(0));
+  const std::optional<Way> way = way_along(followed_places(evidence.recorded(), tip_near_bone));
+  if (!way) return std::nullopt;
+  const double plan_mm = shortest_mm(evidence, way->from_in_bone_mm);
   if (!(plan_mm > 0.0)) return std::nullopt;
-  const double way_mm = length_mm(stretches);
-  const double coarse_mm = length_mm(followed_places(evidence.recording, tip_near_bone, 2));
-  const double bound_mm = std::abs(way_mm - coarse_mm) + ends_bound_mm(stretches);
-  const PlaceStretch& last = stretches.back();
-  return Finding{way_mm / plan_mm, stretches.front().first_tick,
-                 last.first_tick + static_cast<std::int64_t>(last.count()) - 1, bound_mm / plan_mm};
+  const double coarse_mm = length_mm(followed_places(evidence.recorded(), tip_near_bone, 2));
+  const double bound_mm = std::abs(way->length_mm - coarse_mm) + way->ends_bound_mm;
+  return Finding{way->length_mm / plan_mm, way->first_tick, way->last_tick, bound_mm / plan_mm};
 }
 
 }  // namespace hallux::assessment

@@ -14,7 +14,8 @@ namespace hallux::assessment {
 /// to where its bone begins, to its end and back. Nothing where the blade never came near. Its
 /// moment is the whole time near the bone.
 /// surface  of the bone as it was, in its frame
-/// errors   ScenarioError where a planned face misses the bone (see planned_strokes)
+/// errors   ScenarioError where a planned face misses the bone (see planned_strokes); those of
+///          whoever keeps the tape
 std::optional<Finding> measure_path_ratio(const Evidence& evidence, const simulator::Bvh& surface);
 
 }  // namespace hallux::assessment

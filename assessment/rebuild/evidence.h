@@ -9,7 +9,7 @@
 #include "scenarios/plan.h"
 #include "scenarios/scenario.h"
 #include "simulator/mesh/bone.h"
-#include "simulator/record/record.h"
+#include "simulator/record/tape_lines.h"
 
 namespace hallux::assessment {
 
@@ -23,6 +23,10 @@ struct Evidence {
   const simulator::Bone& bone;
   /// Samples and events in the order of their ticks.
   const simulator::Recording& recording;
+  /// Of that recording, in the order of ticks; none where only geometry is measured.
+  simulator::TapeLines tape = {};
+
+  simulator::Recorded recorded() const { return {recording, tape}; }
 };
 
 /// The mean over the planned cuts of how much of each was sawn.

@@ -23,9 +23,9 @@ using simulator::ToolStatus;
 constexpr std::int32_t first_engine_with_places = 7;
 
 /// The tick whose kerfs the last job of pieces before a removal saw; the removal's own without one.
-std::int64_t seen_tick(const Recording& recording, std::int64_t removal_tick) {
+std::int64_t seen_tick(const std::vector<simulator::RecordedJob>& jobs, std::int64_t removal_tick) {
   std::int64_t seen = -1;
-  for (const simulator::RecordedJob& job : recorded_jobs(recording)) {
+  for (const simulator::RecordedJob& job : jobs) {
     if (job.request.kind == simulator::JobKind::Pieces && job.applied_tick <= removal_tick)
       seen = job.request.tick;
   }
@@ -90,14 +90,21 @@ std::unique_ptr<const Bvh> body_of(const RebuiltBone& rebuilt, const Recording& 
   return body_of_volume(rebuilt, volume_thousandths(recording, removal.subject));
 }
 
+bool is_removal(const CutEvent& event) noexcept { return event.kind == CutEventKind::PieceRemoved; }
+
 }  // namespace
 
 std::vector<TakenOut> pieces_taken_out(const RebuiltBone& rebuilt, const simulator::Bone& bone,
-                                       const Recording& recording, const Progress& progress) {
+                                       const simulator::Recorded& recorded,
+                                       const Progress& progress) {
+  const Recording& recording = recorded.outputs;
   std::vector<TakenOut> taken;
+  // The tape is long: it is looked at where it can tell something.
+  if (std::ranges::none_of(recording.events, is_removal)) return taken;
+  const std::vector<simulator::RecordedJob> jobs = recorded_jobs(recorded);
   for (const CutEvent& event : recording.events) {
-    if (event.kind != CutEventKind::PieceRemoved) continue;
-    const std::int64_t seen = seen_tick(recording, event.tick);
+    if (!is_removal(event)) continue;
+    const std::int64_t seen = seen_tick(jobs, event.tick);
     std::unique_ptr<const Bvh> body;
     if (is_sawn_after(recording, seen)) {
       const RebuiltBone then =

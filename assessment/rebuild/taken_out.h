@@ -8,7 +8,7 @@
 #include "assessment/rebuild/rebuild.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/mesh/bvh.h"
-#include "simulator/record/record.h"
+#include "simulator/record/tape_lines.h"
 
 namespace hallux::assessment {
 
@@ -21,10 +21,10 @@ struct TakenOut {
 /// By time. A piece is known by the point that its event carries; in recordings of engine 6 and
 /// older, which carry none, by the volume with which it came free.
 /// needs   rebuilt is of this recording, bone and blade
-/// errors  Cancelled; a removal whose piece is nowhere gives none
+/// errors  Cancelled; those of whoever keeps the tape; a removal whose piece is nowhere gives none
 /// thread  any; seconds where the blade went on in bone after a piece was taken
 std::vector<TakenOut> pieces_taken_out(const RebuiltBone& rebuilt, const simulator::Bone& bone,
-                                       const simulator::Recording& recording,
+                                       const simulator::Recorded& recorded,
                                        const Progress& progress = {});
 
 }  // namespace hallux::assessment

@@ -37,7 +37,8 @@ bool is_touch(const simulator::CutEvent& event) noexcept {
 /// that did: nobody wins an attempt by losing it.
 bool has_touched_bone(Database& database, const AttemptId& attempt) {
   try {
-    const simulator::Recording recording = load_recording(database, attempt);
+    const simulator::Recording recording =
+        load_recording(database, attempt, RecordingPart::Outputs);
     return std::any_of(recording.events.begin(), recording.events.end(), is_touch);
   } catch (const DatabaseError& error) {
     if (error.kind() == DatabaseErrorKind::NotFound || error.kind() == DatabaseErrorKind::Damaged)

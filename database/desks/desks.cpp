@@ -179,6 +179,12 @@ simulator::Recording AttemptDesk::recording(const AttemptId& id, RecordingPart p
   return load_recording(*database_, header.id, part);
 }
 
+PackedRecording AttemptDesk::packed_recording(const AttemptId& id) {
+  const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
+  note_view(header);
+  return load_packed_recording(*database_, header.id);
+}
+
 std::vector<simulator::DisplayFact> AttemptDesk::display_facts(const AttemptId& id) {
   const AttemptHeader header = allowed_header(Action::ViewAttempt, id);
   note_view(header);

@@ -51,6 +51,7 @@ class AttemptDesk {
   ///         Refused; of the other methods as well
   AttemptHeader header(const AttemptId& id);
   simulator::Recording recording(const AttemptId& id, RecordingPart part = RecordingPart::Whole);
+  PackedRecording packed_recording(const AttemptId& id);
   /// What was on the screen, by tick (simulator::is_view says whether it is a view); none of an
   /// older attempt, and of one without a window.
   std::vector<simulator::DisplayFact> display_facts(const AttemptId& id);

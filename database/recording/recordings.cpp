@@ -1,6 +1,7 @@
 #include "database/recording/recordings.h"
 
 #include <limits>
+#include <utility>
 
 #include "database/recording/attempts.h"
 #include "database/recording/chunk_run.h"
@@ -38,20 +39,40 @@ Digest last_link(const ChunkRun& run) {
   return run.chunks.empty() ? run.before : run.chunks.back().link.value_or(Digest{});
 }
 
-}  // namespace
+struct ReadRecording {
+  simulator::Recording recording;
+  /// From which it was read.
+  std::vector<StoredChunk> chunks;
+};
 
-simulator::Recording load_recording(Database& database, const AttemptId& id, RecordingPart part) {
+ReadRecording read_recording(Database& database, const AttemptId& id, RecordingPart part) {
   const AttemptHeader header = load_header(database, id);
   refuse_erased(database, header.id);
   return translating(database, "read attempt " + header.id.text, [&] {
-    simulator::Recording recording;
-    recording.engine = header.begun.engine;
-    const std::vector<StoredChunk> chunks = load_chunks(database, header.id, all_windows);
-    const ChunkRun run{chunks, {}};
-    append_run(database, header.id, run, part, recording);
+    ReadRecording read;
+    read.recording.engine = header.begun.engine;
+    read.chunks = load_chunks(database, header.id, all_windows);
+    const ChunkRun run{read.chunks, {}};
+    append_run(database, header.id, run, part, read.recording);
     check_seal(database, header, last_link(run));
-    return recording;
+    return read;
   });
+}
+
+}  // namespace
+
+simulator::Recording load_recording(Database& database, const AttemptId& id, RecordingPart part) {
+  return read_recording(database, id, part).recording;
+}
+
+PackedRecording load_packed_recording(Database& database, const AttemptId& id) {
+  ReadRecording read = read_recording(database, id, RecordingPart::Outputs);
+  PackedRecording packed{std::move(read.recording), {}};
+  for (StoredChunk& chunk : read.chunks) {
+    if (chunk.place.stream == Stream::Tape)
+      packed.tape.add(std::move(chunk.bytes), shape_of(chunk));
+  }
+  return packed;
 }
 
 std::int64_t RecordingCheck::check(const AttemptHeader& header) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "database/recording/packed_tape.h"
 #include "database/recording/stored_chunks.h"
 #include "database/records/attempt.h"
 #include "database/store/connection.h"
@@ -16,6 +17,16 @@ namespace hallux::database {
 ///         chunk whose bytes or link were altered, or the seal
 simulator::Recording load_recording(Database& database, const AttemptId& id,
                                     RecordingPart part = RecordingPart::Whole);
+
+/// What scoring needs of a recording: its outputs, and the tape as it is stored.
+struct PackedRecording {
+  simulator::Recording outputs;
+  PackedTape tape;
+};
+
+/// The same recording; all of it is checked, the tape as well.
+/// errors  as load_recording
+PackedRecording load_packed_recording(Database& database, const AttemptId& id);
 
 /// Checks recordings one after the other; keeps its memory between them.
 /// thread  one at a time

@@ -98,10 +98,12 @@ class JobNames {
 
 }  // namespace
 
-std::vector<RecordedJob> recorded_jobs(const Recording& recording) {
+std::vector<RecordedJob> recorded_jobs(const Recorded& recorded) {
   std::vector<RecordedJob> jobs;
-  JobNames names(recording);
-  for (const TapeLine& line : recording.tape) names.take(line, jobs);
+  JobNames names(recorded.outputs);
+  recorded.tape.visit([&](const TapeLine& line) {
+    if (line.command_count > 0) names.take(line, jobs);
+  });
   return jobs;
 }
 

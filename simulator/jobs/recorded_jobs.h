@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "simulator/jobs/geometry_job.h"
+#include "simulator/record/tape_lines.h"
 
 namespace hallux::simulator {
 
@@ -19,6 +20,7 @@ struct RecordedJob {
 /// them by number and tick; the events of the tick that applied one say what it was.
 /// needs   tape and events are in the order of their ticks
 /// ensures nothing where the recording has no tape
-std::vector<RecordedJob> recorded_jobs(const Recording& recording);
+/// errors  those of whoever keeps the tape
+std::vector<RecordedJob> recorded_jobs(const Recorded& recorded);
 
 }  // namespace hallux::simulator

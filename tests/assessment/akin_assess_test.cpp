@@ -191,7 +191,8 @@ TEST(AkinAssess, OneCutAloneIsNoWedgeButItsPlungeCounts) {
 
 TEST(AkinAssess, NoCutMeasuresNothing) {
   const simulator::Bone bone = testing::oval_bone();
-  const Examination examination = assess_fully(testing::akin_scenario(), bone, {}, "scripted");
+  const Examination examination =
+      assess_fully(testing::akin_scenario(), bone, simulator::Recording(), "scripted");
   EXPECT_EQ(examination.card.score_milli, 0);
   EXPECT_EQ(examination.card.measured_milli, 58000);
   for (const Measurement& each : examination.measurements)

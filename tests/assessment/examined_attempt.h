@@ -17,8 +17,9 @@ struct ExaminedAttempt {
   simulator::Recording recording;
   Examination examination;
 
-  Evidence evidence() const noexcept {
-    return {scenario, examination.plan, examination.rebuilt, examination.faces, bone, recording};
+  Evidence evidence() const {
+    return {scenario, examination.plan, examination.rebuilt,          examination.faces,
+            bone,     recording,        simulator::tape_of(recording)};
   }
   /// Of a cut, a hinge, a zone or, with an empty name, of the attempt.
   /// needs   it is there

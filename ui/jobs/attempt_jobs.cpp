@@ -93,9 +93,11 @@ SetUpHand set_up_hand(const ScriptedAttempt& attempt, const simulator::Bone& bon
   return made;
 }
 
-AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,
-                                    const StageProgress& progress) {
-  CHECK(!attempt.arm_law || attempt.motion);
+namespace {
+
+/// All but the card. What it took is let go of before somebody scores it.
+AttemptOutcome operate(database::Database& database, database::HouseDesk& desk,
+                       const ScriptedAttempt& attempt, const StageProgress& progress) {
   const simulator::Bone bone = patient_of(attempt.scenario, progress);
   // The plan is laid on the patient before anything is stored, also where a motion from a file does
   // not need it.
@@ -104,7 +106,6 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
 
   AttemptOutcome outcome;
   simulator::AttemptChannels channels;
-  database::HouseDesk desk(database);
   database::Recorder recorder(
       database, desk.begin_attempt(describe(database, attempt, bone, set_up.hand->description())),
       channels);
@@ -121,7 +122,17 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   outcome.quality = quality_of(outcome.loop, outcome.recorder);
   outcome.quality.device = set_up.hand->facts();
   outcome.recorder = recorder.finish(quality_json(outcome.quality));
-  const AttemptMaterial material = load_attempt(database, desk, outcome.attempt);
+  return outcome;
+}
+
+}  // namespace
+
+AttemptOutcome run_scripted_attempt(database::Database& database, const ScriptedAttempt& attempt,
+                                    const StageProgress& progress) {
+  CHECK(!attempt.arm_law || attempt.motion);
+  database::HouseDesk desk(database);
+  AttemptOutcome outcome = operate(database, desk, attempt, progress);
+  const AttemptMaterial material = load_to_score(database, desk, outcome.attempt);
   assessment::Examination examination = score_attempt(material, progress);
   store_examination(desk, material, examination);
   outcome.card = std::move(examination.card);
@@ -145,15 +156,32 @@ AttemptMaterial load_patient(database::Database& database, database::AttemptDesk
 void load_recording(database::AttemptDesk& desk, AttemptMaterial& material,
                     database::RecordingPart part) {
   material.recording = desk.recording(material.header.id, part);
-  material.recording.engine = material.header.begun.engine;
+}
+
+void load_packed(database::AttemptDesk& desk, AttemptMaterial& material) {
+  database::PackedRecording packed = desk.packed_recording(material.header.id);
+  material.recording = std::move(packed.outputs);
+  material.packed_tape = std::move(packed.tape);
 }
 
 }  // namespace
+
+simulator::Recorded AttemptMaterial::recorded() const {
+  if (!recording.tape.empty()) return recording;
+  return {recording, packed_tape.lines()};
+}
 
 AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk& desk,
                              const database::AttemptId& id) {
   AttemptMaterial material = load_patient(database, desk, id);
   load_recording(desk, material, database::RecordingPart::Whole);
+  return material;
+}
+
+AttemptMaterial load_to_score(database::Database& database, database::AttemptDesk& desk,
+                              const database::AttemptId& id) {
+  AttemptMaterial material = load_patient(database, desk, id);
+  load_packed(desk, material);
   return material;
 }
 
@@ -163,9 +191,11 @@ MeasuredMaterial load_measured(database::Database& database, database::AttemptDe
   AttemptMaterial& attempt = measured.attempt;
   measured.measurements = desk.measurements(
       attempt.header.id, measured_by(attempt.scenario, attempt.header.begun.bone));
-  load_recording(
-      desk, attempt,
-      measured.measurements ? database::RecordingPart::Outputs : database::RecordingPart::Whole);
+  if (measured.measurements) {
+    load_recording(desk, attempt, database::RecordingPart::Outputs);
+  } else {
+    load_packed(desk, attempt);
+  }
   return measured;
 }
 
@@ -209,7 +239,7 @@ std::optional<database::StoredScore> told_score(database::AttemptDesk& desk,
 assessment::Examination score_attempt(const AttemptMaterial& material,
                                       const StageProgress& progress) {
   return cancelled_as("stopped while scoring; nothing was changed", [&] {
-    return assessment::assess_fully(material.scenario, material.bone, material.recording,
+    return assessment::assess_fully(material.scenario, material.bone, material.recorded(),
                                     material.header.begun.device_class, progress("Scoring"));
   });
 }

@@ -11,6 +11,7 @@
 
 #include "assessment/assess.h"
 #include "database/desks/desks.h"
+#include "database/recording/packed_tape.h"
 #include "database/recording/recorder.h"
 #include "database/records/attempt.h"
 #include "scenarios/hands/hand_fault.h"
@@ -95,14 +96,23 @@ struct AttemptMaterial {
   scenarios::Scenario scenario;
   simulator::Bone bone;
   simulator::Recording recording;
+  /// Where the recording is without its tape: that, where somebody scores it.
+  database::PackedTape packed_tape = {};
+
+  /// The recording with its tape, wherever that is; borrows both.
+  simulator::Recorded recorded() const;
 };
 
+/// With its whole recording, 168 bytes a tick: to replay it.
 /// errors  DatabaseError: NotFound, Refused, Damaged
 AttemptMaterial load_attempt(database::Database& database, database::AttemptDesk& desk,
                              const database::AttemptId& id);
+/// With the outputs of its recording, 56 bytes a tick, and the tape as it is stored.
+/// errors  DatabaseError: NotFound, Refused, Damaged
+AttemptMaterial load_to_score(database::Database& database, database::AttemptDesk& desk,
+                              const database::AttemptId& id);
 
-/// An attempt with what was measured of it before; then of its recording the outputs, else the
-/// whole.
+/// An attempt with what was measured of it before; else with all that score_attempt needs.
 struct MeasuredMaterial {
   AttemptMaterial attempt;
   std::optional<std::vector<assessment::Measurement>> measurements;

@@ -93,7 +93,7 @@ class Rescorer {
       return assessment::score_measurements(scenario, *kept, header.begun.device_class,
                                             header.begun.engine);
     }
-    AttemptMaterial material = load_attempt(database_, *listed.desk, header.id);
+    AttemptMaterial material = load_to_score(database_, *listed.desk, header.id);
     material.scenario = scenario;
     assessment::Examination examination = score_attempt(material, progress);
     if (!is_dry_)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "simulator/base/units.h"
 
@@ -11,6 +12,11 @@ namespace hallux::assessment {
 namespace {
 
 constexpr LowPass filter{};
+
+std::vector<double> low_passed(std::vector<double> values, const LowPass& by) {
+  low_pass(values, by);
+  return values;
+}
 
 std::vector<double> sine(double frequency_hz, std::size_t count, double rate_hz = filter.rate_hz) {
   std::vector<double> values;

@@ -32,7 +32,7 @@ void add(HandleStretch& stretch, const std::vector<double>& speeds_mm_s,
 void rest(HandleStretch& stretch) { add(stretch, std::vector<double>(50, 4.999)); }
 
 Smoothness smoothness_of(const HandleStretch& stretch) {
-  return measure_smoothness(std::span(&stretch, 1));
+  return measure_smoothness(free_movements(std::span(&stretch, 1)));
 }
 
 TEST(FreeMovements, TwoTellNothingAndThreeTheirMedian) {
@@ -91,7 +91,7 @@ TEST(FreeMovements, EndWhereTeethTouchBoneOrAKerfHoldsTheBlade) {
 TEST(FreeMovements, OfSeveralStretchesCountTogether) {
   std::vector<HandleStretch> stretches(3);
   for (HandleStretch& stretch : stretches) add(stretch, movement(350, 1));
-  EXPECT_NEAR(measure_smoothness(stretches).sparc->value,
+  EXPECT_NEAR(measure_smoothness(free_movements(stretches)).sparc->value,
               spectral_arc_length(movement(350, 1), rate_hz), exact);
   EXPECT_FALSE(measure_smoothness({}).ldlj);
 }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "tests/assessment/process/made_recording.h"
 
@@ -84,6 +85,21 @@ TEST(HandleTrack, WithoutATapeOrOfOneLineItTellsNoSpeed) {
   EXPECT_EQ(handle_stretches(recording)[0].speed_mm_s, std::vector<double>{0.0});
   recording.tape.clear();
   EXPECT_TRUE(handle_stretches(recording).empty());
+}
+
+TEST(HandleTrack, ATapeThatIsKeptElsewhereTellsTheSame) {
+  Recording recording;
+  double way_mm = 0.0;
+  go(recording, 700, 1, way_mm);
+  go(recording, 5, 3, way_mm);
+  const std::vector<HandleStretch> expected = handle_stretches(recording);
+  Recording elsewhere;
+  std::swap(elsewhere.tape, recording.tape);
+  const std::vector<HandleStretch> made =
+      handle_stretches(simulator::Recorded(recording, tape_of(elsewhere)));
+  ASSERT_EQ(made.size(), 1U);
+  EXPECT_EQ(made[0].speed_mm_s, expected.at(0).speed_mm_s);
+  EXPECT_EQ(made[0].status, expected[0].status);
 }
 
 TEST(HandleTrack, RunsAreTheLongestOfTheirKind) {

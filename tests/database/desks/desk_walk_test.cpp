@@ -161,6 +161,7 @@ Outcome about_attempt(Walk& world, TriedDesk& desk, Action action, const Subject
                        [&](const AttemptHeader& header) { return header.id == id; });
     case Action::ViewAttempt: {
       const Outcome recording = refused_or_done([&] { desk.any->recording(id); });
+      EXPECT_EQ(refused_or_done([&] { desk.any->packed_recording(id); }), recording);
       EXPECT_EQ(refused_or_done([&] { desk.any->header(id); }), recording);
       EXPECT_EQ(refused_or_done([&] { desk.any->score(id); }), recording);
       EXPECT_EQ(refused_or_done([&] { desk.any->decisions(id); }), recording);

@@ -60,6 +60,7 @@ TEST_F(Unseen, AttemptsAreAsIfThereWereNone) {
     };
     alike([&](const AttemptId& id) { desk->header(id); });
     alike([&](const AttemptId& id) { desk->recording(id); });
+    alike([&](const AttemptId& id) { desk->packed_recording(id); });
     alike([&](const AttemptId& id) { desk->display_facts(id); });
     alike([&](const AttemptId& id) { desk->score(id); });
     alike([&](const AttemptId& id) { desk->decisions(id); });

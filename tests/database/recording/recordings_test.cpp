@@ -53,6 +53,35 @@ TEST(Recordings, OfItsOutputsAloneTheTapeIsCheckedAndNotKept) {
                DatabaseError);
 }
 
+std::vector<simulator::TapeLine> visited(const PackedTape& tape) {
+  std::vector<simulator::TapeLine> seen;
+  tape.lines().visit([&](const simulator::TapeLine& line) { seen.push_back(line); });
+  return seen;
+}
+
+TEST(Recordings, APackedTapeHasTheSameLinesEachTimeTheyAreVisited) {
+  Recorded recorded;
+  const PackedRecording packed = load_packed_recording(recorded.database, recorded.id);
+  EXPECT_EQ(packed.outputs.samples, recorded.recording.samples);
+  EXPECT_EQ(packed.outputs.events, recorded.recording.events);
+  EXPECT_EQ(packed.outputs.engine, recorded.recording.engine);
+  EXPECT_TRUE(packed.outputs.tape.empty());
+  EXPECT_EQ(packed.tape.lines().count(), recorded.recording.tape.size());
+  EXPECT_EQ(visited(packed.tape), recorded.recording.tape);
+  const PackedTape copy = packed.tape;
+  EXPECT_EQ(visited(copy), recorded.recording.tape);
+}
+
+TEST(Recordings, APackedTapeIsCheckedAsItIsRead) {
+  for (const char* damage :
+       {"UPDATE chunk SET bytes = x'0201020304' WHERE seq = 12 AND stream = 0",
+        "UPDATE chunk SET link = zeroblob(32) WHERE seq = 12 AND stream = 0"}) {
+    Recorded recorded;
+    tamper(recorded.database, damage);
+    EXPECT_THROW(load_packed_recording(recorded.database, recorded.id), DatabaseError) << damage;
+  }
+}
+
 TEST(Recordings, AChunkTakenOutOfItsWindowIsNoticed) {
   Recorded recorded;
   tamper(recorded.database, "DELETE FROM chunk WHERE seq = 20 AND stream = 1");

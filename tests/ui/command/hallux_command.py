@@ -94,6 +94,15 @@ class CommandTest(unittest.TestCase):
         self.addCleanup(process.kill)
         return process
 
+    def kib_at_most(self, *arguments):
+        """Resident memory of one run that ends well, where it was most."""
+        process = subprocess.Popen(self.line(arguments), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL, cwd=self.untouched[2], env=self.environment())
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = os.waitstatus_to_exitcode(status)
+        self.assertEqual(process.returncode, DONE, arguments)
+        return used.ru_maxrss
+
     def run_into(self, stream, *arguments):
         """Runs it with its answer led into `stream`; returns exit code and stderr."""
         done = subprocess.run(self.line(arguments), stdin=subprocess.DEVNULL, stdout=stream, stderr=subprocess.PIPE,

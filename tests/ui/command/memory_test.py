@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What memory a scripted attempt takes, from the bone to its score, however long somebody saws.
 
-HALLUX_MINUTES of sawing: strokes into three kerfs one after the other, each stroke a little deeper than the one before and out
+HALLUX_MINUTES of sawing, and one: strokes into three kerfs one after the other, each stroke a little deeper than the one before and out
 of the bone in between. Where they lie is taken from the expert's recording.
 """
 
@@ -14,6 +14,8 @@ from hallux_command import ATTEMPT_KIB_AT_MOST, CommandTest, greatest_kib
 
 STROKE_S = 3.0
 PLANE_FROZEN = 4
+# A sample takes 56 bytes; the tape with its lines would be 112 more.
+SCORED_BYTES_A_TICK_AT_MOST = 110
 
 
 def axes(w, x, y, z):
@@ -61,17 +63,26 @@ class Memory(CommandTest):
                 tables.append(list(csv.DictReader(file)))
         return tables
 
+    def sawn_for(self, minutes, tool):
+        answer = self.ask("attempt", "silver", "--hand", self.write("strokes.json", strokes(*tool, minutes)))
+        self.assertGreater(answer["duration_s"], 60.0 * minutes - 2 * STROKE_S)
+        self.assertTrue(answer["quality"]["complete"])
+        return answer
+
     def test_minutes_of_sawing_take_less_than_300_megabytes_with_their_score(self):
         samples, events = self.exported(self.ask("attempt", "silver")["attempt"])
         tool = tool_at(samples, next(int(row["tick_ms"]) for row in events if int(row["kind"]) == PLANE_FROZEN))
 
         minutes = float(os.environ["HALLUX_MINUTES"])
-        answer = self.ask("attempt", "silver", "--hand", self.write("strokes.json", strokes(*tool, minutes)))
-        self.assertGreater(answer["duration_s"], 60.0 * minutes - 2 * STROKE_S)
-        self.assertTrue(answer["quality"]["complete"])
+        answer = self.sawn_for(minutes, tool)
         taken_kib = greatest_kib()
         print(f"{minutes:g} minutes: {taken_kib} KiB at most")
         self.assertLess(taken_kib, ATTEMPT_KIB_AT_MOST)
+        short = self.sawn_for(1.0, tool)
+        more_kib = self.kib_at_most("score", answer["attempt"]) - self.kib_at_most("score", short["attempt"])
+        bytes_a_tick = 1024 * more_kib / (answer["samples"] - short["samples"])
+        print(f"scoring: {bytes_a_tick:.0f} bytes more for each tick")
+        self.assertLess(bytes_a_tick, SCORED_BYTES_A_TICK_AT_MOST)
         _, events = self.exported(answer["attempt"])
         self.assertEqual([int(row["kind"]) for row in events].count(PLANE_FROZEN), 3)
 

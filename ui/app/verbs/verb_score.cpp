@@ -49,7 +49,7 @@ ExitCode score_on(const VerbContext& context, const std::string& id) {
   database::Database database = open_kept(context);
   const AttemptAction wanted{Action::StoreScore, {id}};
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
-    const AttemptMaterial material = load_attempt(database, desk, {id});
+    const AttemptMaterial material = load_to_score(database, desk, {id});
     const bool is_stored = desk.may(Action::StoreScore, material.header);
     if (!is_stored) {
       context.notes << "The score is shown and not kept: the robot's attempts are scored anew "
@@ -80,7 +80,7 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
   database::Database database = open_to_read(context);
   const AttemptAction wanted{Action::ViewAttempt, {options.attempt}};
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
-    const AttemptMaterial material = load_attempt(database, desk, {options.attempt});
+    const AttemptMaterial material = load_to_score(database, desk, {options.attempt});
     const assessment::WhatIf what_if(material.scenario, material.bone, material.recording,
                                      material.header.begun.device_class,
                                      score_attempt(material, stages_on(context)));

@@ -104,7 +104,7 @@ ExitCode what_if_on(const VerbContext& context, const WhatIfOptions& options) {
   database::Database database = open_to_read(context);
   const AttemptAction wanted{Action::ViewAttempt, {options.attempt}};
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
-    const AttemptMaterial material = load_attempt(database, desk, {options.attempt});
+    const AttemptMaterial material = load_to_score(database, desk, {options.attempt});
     const assessment::WhatIf what_if(material.scenario, material.bone, material.recording,
                                      material.header.begun.device_class,
                                      score_attempt(material, stages_on(context)));

@@ -112,7 +112,7 @@ void score_operation(SignedInSession& signed_in, const database::AttemptId& atte
   const AttemptMaterial material =
       signed_in.in_turn([&](database::Session& session, database::Database& database) {
         database::TraineeDesk desk = desk_of(session);
-        return load_attempt(database, desk, attempt);
+        return load_to_score(database, desk, attempt);
       });
   const assessment::Examination examination = score_attempt(material, stages_of(report, 1.0));
   signed_in.in_turn([&](database::Session& session, database::Database&) {
