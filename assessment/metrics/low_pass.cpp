@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <vector>
 
 #include "simulator/base/units.h"
@@ -74,8 +73,10 @@ void low_pass(std::span<double> values, const LowPass& filter) {
   for (double& value : values) value = forward.passed(value);
   for (double& value : beyond.after) value = forward.passed(value);
   Way backward(recursion, beyond.after.empty() ? values.back() : beyond.after.back());
-  for (const double value : beyond.after | std::views::reverse) backward.passed(value);
-  for (double& value : values | std::views::reverse) value = backward.passed(value);
+  for (auto value = beyond.after.rbegin(); value != beyond.after.rend(); ++value)
+    backward.passed(*value);
+  for (auto value = values.rbegin(); value != values.rend(); ++value)
+    *value = backward.passed(*value);
 }
 
 }  // namespace hallux::assessment
