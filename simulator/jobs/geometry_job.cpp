@@ -236,8 +236,8 @@ std::vector<MetFragment> AttemptGeometry::met_by(std::int32_t piece, std::int32_
   for (std::size_t i = 0; i < fragments_.size(); ++i) {
     if (fragments_[i].is_out) continue;
     const auto number = static_cast<std::int32_t>(i);
-    const CutSolid others = fragments_[i].bone.pieces().gathered_without(
-        number == fragment ? piece : no_piece);
+    const CutSolid others =
+        fragments_[i].bone.pieces().gathered_without(number == fragment ? piece : no_piece);
     if (others.mesh.triangles.empty()) continue;
     all.push_back({number, std::make_unique<const Bvh>(others.mesh),
                    contact_points(others, points_met).points_mm});
