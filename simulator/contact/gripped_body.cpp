@@ -6,20 +6,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulator/contact/contact_walk.h"
+
 namespace hallux::simulator {
 
 namespace {
 
-constexpr double part_mm = 0.25;
-constexpr int part_limit = 6;
-/// No piece goes further in one tick.
-constexpr double travel_limit_mm = 1.5;
 /// That surfaces are held apart.
 constexpr double apart_mm = 0.005;
 /// Nearer than this the way to a surface is no direction.
 constexpr double direction_mm = 1.0e-5;
 /// A piece that is driven home turns as readily as it goes: as if it were held this far out.
 constexpr double driven_grip_mm = 8.0;
+/// Bone on bone, from rest, and of it while it slides.
+constexpr double bone_friction = 0.2, bone_kinetic_ratio = 0.8;
 /// Of a contact, for a claim.
 constexpr double touching_mm = 0.02;
 
@@ -41,10 +41,6 @@ double radius_of(const GrippedBody& gripped) noexcept {
   return std::sqrt(most_mm2);
 }
 
-double reach_of(const ProxyMotion& motion, double radius_mm) noexcept {
-  return length_of(motion.translation_mm) + radius_mm * length_of(motion.rotation_rad);
-}
-
 struct NearSurface {
   /// Out of the surface, in its frame.
   Vec3 normal{0.0, 0.0, 0.0};
@@ -56,7 +52,7 @@ std::optional<NearSurface> near_surface(const Bvh& surface, const Vec3& point_mm
                                         SurfaceMemory& memory) noexcept {
   const double moved_mm = length_of(point_mm - memory.asked_mm);
   if (memory.is_known && std::abs(memory.clearance_mm) - moved_mm > within_mm) return std::nullopt;
-  const double looked_mm = within_mm + travel_limit_mm;
+  const double looked_mm = within_mm + tick_travel_limit_mm;
   const std::optional<NearestPoint> found = surface.nearest(point_mm, looked_mm);
   if (!found) {
     memory = {point_mm, looked_mm, true};
@@ -178,14 +174,6 @@ RigidTransform turned_about(const RigidTransform& pose, const WoundJoint& joint,
           joint.point_mm + transform_direction(turn, pose.translation_mm - joint.point_mm)};
 }
 
-ProxyMotion scaled(const ProxyMotion& motion, double share) noexcept {
-  return {share * motion.translation_mm, share * motion.rotation_rad};
-}
-
-double share_within(double size, double limit) noexcept {
-  return size > limit ? limit / size : 1.0;
-}
-
 /// Pose, hand and drive of one tick.
 struct Lead {
   RigidTransform pose, wanted;
@@ -199,7 +187,7 @@ struct Lead {
 
 /// One part of a tick's way; how far it went.
 double go_on(GrippedBody& gripped, Lead& lead, const ProxyMotion& wanted, double most_mm,
-             const ForcepsSettings& settings, GrippedOutcome& outcome) noexcept {
+             GrippedOutcome& outcome) noexcept {
   const GrippedContacts contacts(gripped, lead.pose, most_mm);
   for (const BladeContact& contact : contacts.all())
     outcome.is_touching = outcome.is_touching || contact.gap_mm < touching_mm;
@@ -214,32 +202,19 @@ double go_on(GrippedBody& gripped, Lead& lead, const ProxyMotion& wanted, double
     lead.pose = turned_about(lead.pose, joint, turn_rad);
     return std::abs(turn_rad) * arm_mm;
   }
-  const ProxyFriction friction{settings.friction, settings.kinetic_ratio, settings.friction};
+  const ProxyFriction friction{bone_friction, bone_kinetic_ratio, bone_friction};
   const ProxyMotion motion =
       solve_proxy(wanted, contacts.all(), lead.grip_mm, friction, gripped.load).motion;
   const double way_mm = reach_of(motion, lead.radius_mm);
-  const double share = share_within(way_mm, most_mm);
-  lead.pose = moved_by(lead.pose, scaled(motion, share));
-  return share * way_mm;
-}
-
-void pull_hand(const Lead& lead, const ForcepsSettings& settings,
-               GrippedOutcome& outcome) noexcept {
-  const ProxyMotion stretch = motion_between(lead.wanted, lead.pose);
-  const Vec3 force_newton = settings.coupling_newton_per_mm * stretch.translation_mm;
-  const double share = share_within(length_of(force_newton), settings.force_limit_newton);
-  outcome.force_newton = share * force_newton;
-  outcome.is_force_limited = share < 1.0;
-  const Vec3 torque = settings.torsion_newton_mm_per_rad * stretch.rotation_rad;
-  outcome.torque_newton_mm =
-      share_within(length_of(torque), settings.torque_limit_newton_mm) * torque;
+  lead.pose = moved_by(lead.pose, scaled(motion, way_mm > most_mm ? most_mm / way_mm : 1.0));
+  return std::min(way_mm, most_mm);
 }
 
 }  // namespace
 
 GrippedOutcome move_gripped(GrippedBody& gripped, const RigidTransform& wound_from_handle,
                             const std::optional<Vec3>& drive_mm,
-                            const ForcepsSettings& settings) noexcept {
+                            const ContactSettings& settings) noexcept {
   GrippedOutcome outcome;
   Lead lead;
   lead.pose = about_centroid(gripped.wound_from_piece, gripped.centroid_mm);
@@ -250,18 +225,18 @@ GrippedOutcome move_gripped(GrippedBody& gripped, const RigidTransform& wound_fr
       drive_mm ? driven_grip_mm
                : std::sqrt(settings.torsion_newton_mm_per_rad / settings.coupling_newton_per_mm);
   const Vec3 from_mm = lead.pose.translation_mm;
-  double left_mm = travel_limit_mm;
-  for (int part = 0; part < part_limit && left_mm > 0.0; ++part) {
+  double left_mm = tick_travel_limit_mm;
+  for (int part = 0; part < walk_part_limit && left_mm > 0.0; ++part) {
     const ProxyMotion wanted = lead.motion();
     const double asked_mm = reach_of(wanted, lead.radius_mm);
-    const double most_mm = std::min(part_mm, left_mm);
-    const double gone_mm = go_on(gripped, lead, wanted, most_mm, settings, outcome);
+    const double most_mm = std::min(walk_part_mm, left_mm);
+    const double gone_mm = go_on(gripped, lead, wanted, most_mm, outcome);
     left_mm -= gone_mm;
     if (asked_mm <= most_mm || !(gone_mm > 0.0) || drive_mm) break;
   }
   gripped.wound_from_piece = from_centroid(lead.pose, gripped.centroid_mm);
   outcome.moved_mm = length_of(lead.pose.translation_mm - from_mm);
-  pull_hand(lead, settings, outcome);
+  outcome.pull = coupling_pull(motion_between(lead.wanted, lead.pose), settings);
   return outcome;
 }
 

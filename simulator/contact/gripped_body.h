@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "simulator/base/fixed_list.h"
+#include "simulator/contact/coupling.h"
 #include "simulator/contact/proxy.h"
 #include "simulator/contact/wound.h"
 #include "simulator/mesh/bvh.h"
@@ -41,17 +42,6 @@ struct WoundJoint {
   double free_radius_mm = 0.0;
 };
 
-/// Constants of the forceps.
-/// source  docs/haptics.md, Forceps
-struct ForcepsSettings {
-  double coupling_newton_per_mm = 2.0;
-  double force_limit_newton = 30.0;
-  double torsion_newton_mm_per_rad = 4000.0;
-  double torque_limit_newton_mm = 500.0;
-  /// Bone on bone, from rest, and of it while it slides.
-  double friction = 0.2, kinetic_ratio = 0.8;
-};
-
 /// A piece in the forceps.
 struct GrippedBody {
   const Bvh* surface = nullptr;
@@ -72,20 +62,19 @@ struct GrippedBody {
 
 struct GrippedOutcome {
   /// On the hand, in the wound frame.
-  Vec3 force_newton{0.0, 0.0, 0.0};
-  Vec3 torque_newton_mm{0.0, 0.0, 0.0};
+  CouplingPull pull;
   bool is_touching = false;
-  bool is_force_limited = false;
   /// The way of the piece's centroid in this tick.
   double moved_mm = 0.0;
 };
 
 /// Moves the piece for one tick towards where the hand wants it.
-/// drive   beside the hand, a way in this tick that the piece goes as far as contact lets it
+/// drive     beside the hand, a way in this tick that the piece goes as far as contact lets it
+/// settings  of the coupling, as a tool's
 /// errors  none: total, allocates nothing
 /// thread  haptic
 GrippedOutcome move_gripped(GrippedBody& gripped, const RigidTransform& wound_from_handle,
                             const std::optional<Vec3>& drive_mm,
-                            const ForcepsSettings& settings) noexcept;
+                            const ContactSettings& settings) noexcept;
 
 }  // namespace hallux::simulator

@@ -208,6 +208,8 @@ void AttemptGeometry::run_hinge(JobResult& result) {
   result.divided.moved_piece = moved_piece_;
   result.divided.fixed_surface = std::make_unique<const Bvh>(fixed_.mesh);
   result.divided.moved_surface = std::make_unique<const Bvh>(moved_.mesh);
+  result.divided.moved_mm3 = signed_volume_mm3(moved_.mesh);
+  result.divided.inside_moved_mm = point_inside(moved_, *result.divided.moved_surface);
 }
 
 void AttemptGeometry::run_grip(JobResult& result) {
@@ -218,9 +220,6 @@ void AttemptGeometry::run_grip(JobResult& result) {
     if (fragments_[i].is_out || piece == nullptr) continue;
     const ContactPoints contact = contact_points(piece->solid, points_of_piece);
     gripped.fragment = static_cast<std::int32_t>(i);
-    gripped.is_own = pieces.main() == piece->id;
-    gripped.volume_mm3 = piece->volume_mm3;
-    gripped.inside_mm = piece->inside_mm;
     gripped.centroid_mm = centroid_of(piece->solid.mesh);
     gripped.surface = std::make_unique<const Bvh>(piece->solid.mesh);
     gripped.points_mm = contact.points_mm;

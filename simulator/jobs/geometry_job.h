@@ -67,10 +67,7 @@ struct MetFragment {
 struct GrippedPiece {
   /// That it is, or will be a part of no more.
   std::int32_t fragment = 0;
-  /// It is the fragment's own piece already.
-  bool is_own = false;
-  double volume_mm3 = 0.0;
-  Vec3 inside_mm{0.0, 0.0, 0.0}, centroid_mm{0.0, 0.0, 0.0};
+  Vec3 centroid_mm{0.0, 0.0, 0.0};
   /// Null where there is no such piece.
   std::unique_ptr<const Bvh> surface;
   /// By which it meets the others.
@@ -86,6 +83,9 @@ struct DividedFragment {
   std::int32_t fragment = 0;
   /// The number that the other half has as a piece.
   std::int32_t moved_piece = 0;
+  double moved_mm3 = 0.0;
+  /// A point well inside it.
+  Vec3 inside_moved_mm{0.0, 0.0, 0.0};
   std::unique_ptr<const Bvh> fixed_surface, moved_surface;
 };
 

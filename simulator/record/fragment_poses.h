@@ -54,10 +54,9 @@ class FragmentPoses {
   ///         be; nothing changed then
   /// thread  haptic; allocates nothing
   bool apply(const CutEvent& event) noexcept;
-  /// Where a fragment lies while it is led.
-  void place(std::int32_t fragment, const RigidTransform& bone_from_fragment) noexcept;
 
  private:
+  void place(std::int32_t fragment, const RigidTransform& bone_from_fragment) noexcept;
   bool part(std::int32_t parent) noexcept;
 
   std::array<FragmentPose, static_cast<std::size_t>(fragment_limit)> poses_{};

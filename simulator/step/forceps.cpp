@@ -24,11 +24,13 @@ void Forceps::hold(std::int32_t fragment, const GrippedPiece& found, const Wound
   }
 }
 
-GrippedOutcome Forceps::lead(const RigidTransform& wound_from_handle, double duration_s) noexcept {
-  if (!(drive_left_mm_ > 0.0)) return move_gripped(body_, wound_from_handle, std::nullopt, {});
+GrippedOutcome Forceps::lead(const RigidTransform& wound_from_handle, double duration_s,
+                             const ContactSettings& settings) noexcept {
+  if (!(drive_left_mm_ > 0.0))
+    return move_gripped(body_, wound_from_handle, std::nullopt, settings);
   const double way_mm = drive_speed_mm_s * duration_s;
   const Vec3 drive_mm = way_mm * transform_direction(body_.wound_from_piece, closing_);
-  const GrippedOutcome outcome = move_gripped(body_, wound_from_handle, drive_mm, {});
+  const GrippedOutcome outcome = move_gripped(body_, wound_from_handle, drive_mm, settings);
   drive_left_mm_ -= way_mm;
   const bool is_home = outcome.is_touching && outcome.moved_mm < home_share * way_mm;
   if (is_home) drive_left_mm_ = 0.0;

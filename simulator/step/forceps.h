@@ -55,7 +55,8 @@ class Forceps {
   /// Drives the piece home from now on.
   void drive() noexcept { drive_left_mm_ = drive_most_mm; }
   /// Leads the piece for one tick.
-  GrippedOutcome lead(const RigidTransform& wound_from_handle, double duration_s) noexcept;
+  GrippedOutcome lead(const RigidTransform& wound_from_handle, double duration_s,
+                      const ContactSettings& settings) noexcept;
 
  private:
   /// So far a piece is driven at most, and so fast.

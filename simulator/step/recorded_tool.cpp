@@ -40,9 +40,9 @@ ToolSample sample_of(const RecordedTick& at, const RigidTransform& bone_from_pie
   ToolSample sample;
   sample.tick = at.tick;
   sample.world_from_tool = quantise(at.world_from_bone * bone_from_piece);
-  sample.force_mn = force_mn(at, outcome.force_newton);
+  sample.force_mn = force_mn(at, outcome.pull.force_newton);
   mark(sample, ToolStatus::InContact, outcome.is_touching);
-  mark(sample, ToolStatus::ForceLimited, outcome.is_force_limited);
+  mark(sample, ToolStatus::ForceLimited, outcome.pull.is_force_limited);
   return sample;
 }
 

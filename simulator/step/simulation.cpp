@@ -230,8 +230,7 @@ void Simulation::apply_hinge(JobResult& result, StepOutput& output) noexcept {
       output);
   const std::int32_t moved = kerfs_.fragments().count() - 1;
   pieces_.forget_removed(divided.fragment);
-  pieces_.part_new(divided.moved_piece, signed_volume_mm3(hinge.moved.mesh),
-                   hinge.contact_in_bone_mm);
+  pieces_.part_new(divided.moved_piece, divided.moved_mm3, divided.inside_moved_mm);
   fragments_.cut_from(divided.fragment, *divided.fixed_surface);
   fragments_.cut_from(moved, *divided.moved_surface);
   fragments_.hang(moved, {hinge.joint.point_mm, hinge.joint.axis, hinge.bridge_radius_mm});
@@ -399,10 +398,10 @@ void Simulation::move(const TapeLine& line, StepOutput& output) noexcept {
 /// While a piece is held, the tool of the record is the piece.
 void Simulation::lead_piece(const TapeLine& line, StepOutput& output) noexcept {
   const GrippedOutcome outcome =
-      forceps_.lead(bone_from_handle(line), static_cast<double>(line.ticks) * step_s);
+      forceps_.lead(bone_from_handle(line), static_cast<double>(line.ticks) * step_s, settings_);
   output.sample = sample_of(at_end(), forceps_.wound_from_piece(), outcome);
   output.torque_in_world_newton_mm =
-      transform_direction(world_from_bone_, outcome.torque_newton_mm);
+      transform_direction(world_from_bone_, outcome.pull.torque_newton_mm);
   kerfs_.apply(output.sample);
 }
 
