@@ -91,7 +91,7 @@ struct OpenGlScenePainter::Parts {
   Rest rest_behind;
   SampleMixer mixer;
   bool is_touched = false;
-  long frame = 0, last_scene_frame = 0;
+  long frame = 0, last_scene_frame = 0, last_behind_frame = 0;
 
   std::vector<Eye> eyes() const;
   void draw_eyes(const Scene& scene, const Camera& camera);
@@ -151,6 +151,7 @@ void OpenGlScenePainter::begin_frame(const DrawTarget& window, bool is_touched) 
   const long oldest = ++parts.frame - frames_kept;
   std::erase_if(parts.drawn, [&](const auto& entry) { return entry.second.last_frame < oldest; });
   std::erase_if(parts.shown, [&](const auto& entry) { return entry.second.last_frame < oldest; });
+  if (parts.last_behind_frame == oldest) parts.stage.reset();
   if (parts.last_scene_frame == oldest) parts.renderer.forget_bones();
 }
 
@@ -242,7 +243,7 @@ void OpenGlScenePainter::draw_behind(const Scene& scene, const Camera& camera,
                      is_moving ? live_moving_detail(setting.mode) : 1.0);
   parts.draw_behind_at(parts.rest_behind.next(is_same, parts.is_touched), scene, camera);
   parts.has_scene_behind = true;
-  parts.last_scene_frame = parts.frame;
+  parts.last_behind_frame = parts.last_scene_frame = parts.frame;
 }
 
 bool OpenGlScenePainter::is_coarse() const noexcept {
