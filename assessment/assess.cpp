@@ -18,6 +18,7 @@
 #include "assessment/rebuild/bound.h"
 #include "assessment/rebuild/geometry_bounds.h"
 #include "assessment/sentences.h"
+#include "scenarios/tray/laid_out_tools.h"
 
 namespace hallux::assessment {
 
@@ -28,12 +29,13 @@ constexpr double rebuilt_share = 0.8;
 
 /// Opens the kerfs once, and follows their heat on the way.
 RebuiltBone rebuild_and_follow(FollowedEffects& effects, const scenarios::Scenario& scenario,
-                               const simulator::Bone& bone, const simulator::Recording& recording,
-                               const Progress& progress) {
-  return rebuild(bone, scenario.saw.blade, recording, progress, nullptr,
-                 [&](const simulator::ToolSample& sample, const simulator::KerfSet& kerfs) {
-                   effects.follow(sample, kerfs);
-                 });
+                               const scenarios::Plan& plan, const simulator::Bone& bone,
+                               const simulator::Recording& recording, const Progress& progress) {
+  const auto follow = [&](const simulator::ToolSample& sample, const simulator::KerfSet& kerfs) {
+    effects.follow(sample, kerfs);
+  };
+  return rebuild(bone, scenarios::tray_of(scenario), recording, progress, nullptr, follow,
+                 {planned_bridges(plan)});
 }
 
 void find_faces(Examination& examination, const scenarios::Scenario& scenario,
@@ -88,8 +90,8 @@ Examination assess_fully(const scenarios::Scenario& scenario, const simulator::B
   // The plan comes first: a scenario that does not fit the bone is refused before the long work.
   scenarios::Plan plan = plan_on(scenario, bone);
   FollowedEffects effects(bone, scenario.saw, plan);
-  RebuiltBone rebuilt =
-      rebuild_and_follow(effects, scenario, bone, recording, part_of(progress, 0.0, rebuilt_share));
+  RebuiltBone rebuilt = rebuild_and_follow(effects, scenario, plan, bone, recording,
+                                           part_of(progress, 0.0, rebuilt_share));
   Examination examination{std::move(plan), std::move(rebuilt), {}, {}, {}};
   find_faces(examination, scenario, recording);
   const Evidence evidence{scenario, examination.plan, examination.rebuilt, examination.faces,
@@ -103,11 +105,10 @@ Examination assess_fully(const scenarios::Scenario& scenario, const simulator::B
 Examination examine_measured(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                              const simulator::Recording& recording, std::string_view device_class,
                              Measured measured, const Progress& progress) {
-  Examination examination{plan_on(scenario, bone),
-                          rebuild(bone, scenario.saw.blade, recording, progress, &measured.opened),
-                          {},
-                          {},
-                          {}};
+  scenarios::Plan plan = plan_on(scenario, bone);
+  RebuiltBone rebuilt = rebuild(bone, scenarios::tray_of(scenario), recording, progress,
+                                &measured.opened, {}, {planned_bridges(plan)});
+  Examination examination{std::move(plan), std::move(rebuilt), {}, {}, {}};
   find_faces(examination, scenario, recording);
   examination.measurements = std::move(measured.measurements);
   examination.card =

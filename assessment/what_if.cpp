@@ -14,6 +14,7 @@
 #include "assessment/number_text.h"
 #include "assessment/rebuild/moved_kerf.h"
 #include "scenarios/metric_names.h"
+#include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/units.h"
 
 namespace hallux::assessment {
@@ -248,8 +249,8 @@ struct MovedAttempt {
 
 /// The bone as the kerfs lie now; each face counts as it did before, and is as finished.
 void rebuild_moved(MovedAttempt& moved, const Evidence& before) {
-  moved.rebuilt.emplace(
-      rebuild(before.bone, before.scenario.saw.blade, moved.recording, {}, &moved.fields));
+  moved.rebuilt.emplace(rebuild(before.bone, scenarios::tray_of(before.scenario), moved.recording,
+                                {}, &moved.fields));
   moved.faces.assign(before.faces.size(), {});
   for (std::size_t cut = 0; cut < before.faces.size(); ++cut) {
     for (const CutFace& was : before.faces[cut]) {

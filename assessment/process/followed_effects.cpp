@@ -23,6 +23,10 @@ FollowedEffects::FollowedEffects(const simulator::Bone& bone, const simulator::S
       contacts_(plan.danger_zones.size()) {}
 
 void FollowedEffects::follow(const simulator::ToolSample& sample, const simulator::KerfSet& kerfs) {
+  if (kerfs.tool() != tool_) {
+    tool_ = kerfs.tool();
+    effects_.hold(kerfs.tray()[tool_]);
+  }
   effects_.apply(sample, {tissue_, kerfs, {}});
   steps_.note(sample, effects_);
   for (CutEvent event; effects_.take_event(kerfs, event);) note(event);

@@ -66,6 +66,8 @@ class FollowedEffects {
 
   simulator::TissueMap tissue_;
   simulator::ToolEffects effects_;
+  /// In the hand: its place on the tray.
+  std::int32_t tool_ = 0;
   EffectSteps steps_;
   std::vector<std::optional<ZoneContacts>> contacts_;
   std::optional<HeatPlace> hot_, dead_;

@@ -19,7 +19,8 @@ constexpr std::size_t least_ticks = 300, least_movements = 3;
 constexpr double rate_hz = 1.0 / step_s;
 
 bool is_free(std::uint32_t status) noexcept {
-  return !has(status, ToolStatus::InContact) && !has(status, ToolStatus::InKerf);
+  return !has(status, ToolStatus::InContact) && !has(status, ToolStatus::InKerf) &&
+         !has(status, ToolStatus::InBore);
 }
 
 /// One value of each free movement.

@@ -57,7 +57,8 @@ Finding idle_time(std::span<const HandleStretch> stretches) {
         stretch,
         [&](std::size_t index) {
           return stretch.speed_mm_s[index] < idle_mm_s &&
-                 !has(stretch.status[index], ToolStatus::Cutting);
+                 !has(stretch.status[index], ToolStatus::Cutting) &&
+                 !has(stretch.status[index], ToolStatus::Boring);
         },
         [&](std::size_t first, std::size_t last) {
           const auto ticks = static_cast<std::int64_t>(last - first + 1);

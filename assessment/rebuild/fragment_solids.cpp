@@ -83,21 +83,22 @@ std::optional<std::size_t> closed_hinge(const Recording& recording, std::size_t 
   return std::nullopt;
 }
 
-/// Whether a plane is frozen, or a piece parted, after that event: else a closed hinge changes no
-/// solid.
+/// Whether a plane is frozen, a piece parted or a bore begun after that event: else a closed hinge
+/// changes no solid.
 bool goes_on_after(const Recording& recording, std::size_t event) {
   return std::any_of(recording.events.begin() + static_cast<std::ptrdiff_t>(event) + 1,
                      recording.events.end(), [](const CutEvent& after) {
                        return after.kind == CutEventKind::PlaneFrozen ||
-                              after.kind == CutEventKind::FragmentParted;
+                              after.kind == CutEventKind::FragmentParted ||
+                              after.kind == CutEventKind::BoreBegun;
                      });
 }
 
 }  // namespace
 
 FragmentSolids::FragmentSolids(RebuiltBone& rebuilt, const simulator::Bone& bone,
-                               const simulator::PlannedBridges& bridges)
-    : rebuilt_(rebuilt), bridges_(bridges) {
+                               const ClosedHinges& hinges)
+    : rebuilt_(rebuilt), hinges_(hinges) {
   add(simulator::uncut_solid(solid_of(bone)), 0);
   rebuilt_.input_mm3 = signed_volume_mm3(standing_[0].own->solid.mesh);
 }
@@ -172,8 +173,9 @@ void FragmentSolids::part(const Recording& recording, std::size_t event) {
     return;
   }
   if (const std::optional<std::size_t> hinge = closed_hinge(recording, event)) {
-    if (*hinge < bridges_.size() && goes_on_after(recording, event))
-      parted = part_at(bridges_[*hinge], standing_[parent]);
+    const bool is_divided = hinges_.are_always_divided || goes_on_after(recording, event);
+    if (*hinge < hinges_.bridges.size() && is_divided)
+      parted = part_at(hinges_.bridges[*hinge], standing_[parent]);
   } else if (const auto place_mm = place_of_piece(recording, event, piece)) {
     parted = part_from(*place_mm, standing_[parent]);
   }

@@ -21,8 +21,7 @@ class FragmentSolids {
  public:
   /// Fills in what the solids tell of `rebuilt`: borrowed, as is the rest.
   /// needs   its kerfs are frozen and open
-  FragmentSolids(RebuiltBone& rebuilt, const simulator::Bone& bone,
-                 const simulator::PlannedBridges& bridges);
+  FragmentSolids(RebuiltBone& rebuilt, const simulator::Bone& bone, const ClosedHinges& hinges);
 
   /// Parts and cuts in the order of the events.
   /// done    told the share that is done; what it throws ends the work
@@ -54,7 +53,7 @@ class FragmentSolids {
   void keep(std::vector<simulator::CutSolid> solids);
 
   RebuiltBone& rebuilt_;
-  const simulator::PlannedBridges& bridges_;
+  const ClosedHinges& hinges_;
   std::vector<Standing> standing_;
   /// Pieces that were taken out of a fragment before it was parted.
   std::vector<simulator::CutSolid> gone_;

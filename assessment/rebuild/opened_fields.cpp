@@ -24,9 +24,9 @@ bool is_same(const simulator::KerfPlane& a, const simulator::KerfPlane& b) noexc
 
 }  // namespace
 
-OpenedFields opened_fields(const simulator::Blade& blade, const RigidTransform& world_from_bone,
+OpenedFields opened_fields(const simulator::Tray& tray, const RigidTransform& world_from_bone,
                            const simulator::Recording& recording, const Progress& progress) {
-  simulator::KerfSet kerfs(blade, world_from_bone);
+  simulator::KerfSet kerfs(tray, world_from_bone);
   std::vector<simulator::OpeningNotes> notes;
   const auto count = static_cast<double>(recording.samples.size());
   open_kerfs(
@@ -47,9 +47,9 @@ OpenedFields opened_fields(const simulator::Blade& blade, const RigidTransform& 
   return fields;
 }
 
-bool are_of(const OpenedFields& fields, const simulator::Blade& blade,
+bool are_of(const OpenedFields& fields, const simulator::Tray& tray,
             const RigidTransform& world_from_bone, const simulator::Recording& recording) {
-  simulator::KerfSet kerfs(blade, world_from_bone);
+  simulator::KerfSet kerfs(tray, world_from_bone);
   freeze_kerfs(
       kerfs, recording, [](std::int64_t) {}, [](std::size_t) {});
   if (static_cast<std::size_t>(kerfs.count()) != fields.size()) return false;

@@ -73,20 +73,20 @@ double RebuiltKerf::done_fraction() const noexcept {
 
 bool RebuiltKerf::is_finished() const noexcept { return done_fraction() == 1.0; }
 
-RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Blade& blade,
+RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Tray& tray,
                     const simulator::Recording& recording, const Progress& progress,
                     const OpenedFields* opened, const SampleFollower& follow,
-                    const simulator::PlannedBridges& bridges) {
+                    const ClosedHinges& hinges) {
   RebuiltBone rebuilt{
-      simulator::KerfSet(blade, bone.world_from_bone), {}, {}, {}, {}, 0.0, 0.0, 0.0, 0};
+      simulator::KerfSet(tray, bone.world_from_bone), {}, {}, {}, {}, 0.0, 0.0, 0.0, 0};
   if (opened != nullptr) {
     CHECK(!follow);
-    CHECK(are_of(*opened, blade, bone.world_from_bone, recording));
+    CHECK(are_of(*opened, tray, bone.world_from_bone, recording));
     put_kerfs(rebuilt, recording, *opened);
   } else {
     stamp_kerfs(rebuilt, recording, follow, progress);
   }
-  FragmentSolids solids(rebuilt, bone, bridges);
+  FragmentSolids solids(rebuilt, bone, hinges);
   solids.follow(recording, [&](double share) {
     report(progress, stamping_share + (1.0 - stamping_share) * share);
   });

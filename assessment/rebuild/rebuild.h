@@ -13,6 +13,7 @@
 #include "simulator/cutting/slice/section.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
+#include "simulator/tool/tray.h"
 
 namespace hallux::assessment {
 
@@ -69,11 +70,20 @@ struct RebuiltBone {
   std::int32_t debris_count = 0;
 };
 
+/// The hinges of an operation that may have closed.
+struct ClosedHinges {
+  /// In the operation's order.
+  simulator::PlannedBridges bridges = {};
+  /// The halves are bodies of their own also where nothing was sawn, gripped or bored afterwards:
+  /// how they lie is asked, not what was cut.
+  bool are_always_divided = false;
+};
+
 /// Called after each sample, in their order, with the kerfs as they stand then.
 using SampleFollower =
     std::function<void(const simulator::ToolSample& sample, const simulator::KerfSet& kerfs)>;
 
-/// bridges that the operation planned, for a recording in which sawing went on after a hinge closed
+/// hinges  that the operation planned, for a recording that went on after one has closed
 /// needs   recording's samples and events are in the order of their ticks
 /// ensures an event of tick t acts before the sample of tick t; kerfs act on the solid in the order
 ///         they were frozen; `opened` saves the stamping and changes no bit
@@ -81,9 +91,9 @@ using SampleFollower =
 ///         fields know no time between
 /// errors  Cancelled
 /// thread  any
-RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Blade& blade,
+RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Tray& tray,
                     const simulator::Recording& recording, const Progress& progress = {},
                     const OpenedFields* opened = nullptr, const SampleFollower& follow = {},
-                    const simulator::PlannedBridges& bridges = {});
+                    const ClosedHinges& hinges = {});
 
 }  // namespace hallux::assessment

@@ -108,7 +108,7 @@ std::vector<TakenOut> pieces_taken_out(const RebuiltBone& rebuilt, const simulat
     std::unique_ptr<const Bvh> body;
     if (is_sawn_after(recording, seen)) {
       const RebuiltBone then =
-          rebuild(bone, rebuilt.fields.blade(), begin_of(recording, seen), progress);
+          rebuild(bone, rebuilt.fields.tray(), begin_of(recording, seen), progress);
       body = body_of(then, recording, event);
     } else {
       body = body_of(rebuilt, recording, event);

@@ -1,4 +1,4 @@
-/// Points of a body's surface by which it meets others. Inside this room only.
+/// Points of a body's surface by which it meets others.
 ///
 /// A sawn wall is flat, so that its outermost points alone decide how another flat wall lies on it;
 /// skin is round, and is met anywhere. Hence as many points as there may be are first shared by the

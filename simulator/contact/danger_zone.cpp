@@ -57,6 +57,14 @@ double distance_to_capsule_mm(const RigidTransform& bone_from_tool, const Blade&
          0.5 * blade.kerf_mm;
 }
 
+double distance_to_capsule_mm(const RigidTransform& bone_from_tool, const DangerShaft& shaft,
+                              const DangerCapsule& capsule) noexcept {
+  const Vec3 tip_mm = bone_from_tool.translation_mm;
+  const Segment axis{tip_mm - shaft.length_mm * axis_x(bone_from_tool), tip_mm};
+  const Segment line{capsule.from_in_bone_mm, capsule.to_in_bone_mm};
+  return std::sqrt(squared_distance_mm2(axis, line)) - capsule.radius_mm - shaft.radius_mm;
+}
+
 DangerWatch::DangerWatch(const RigidTransform& world_from_bone, const Blade& blade,
                          std::span<const DangerCapsule> zones)
     : bone_from_world_(inverse(world_from_bone)),
@@ -72,11 +80,12 @@ void DangerWatch::apply(const ToolSample& sample) noexcept {
       std::clamp<std::int64_t>(sample.tick - last_tick_, 0, ticks_per_line_max);
   last_tick_ = sample.tick;
   const bool is_running =
-      has(sample.status, ToolStatus::Running) && has(sample.status, ToolStatus::SawOn);
+      has(sample.status, ToolStatus::Running) &&
+      (has(sample.status, ToolStatus::SawOn) || has(sample.status, ToolStatus::DriveOn));
   const RigidTransform bone_from_tool = bone_from_world_ * transform_from(sample.world_from_tool);
   for (std::size_t zone = 0; zone < zones_.size(); ++zone) {
     if (is_running) {
-      approach(zone, distance_to_capsule_mm(bone_from_tool, blade_, zones_[zone]), ticks);
+      approach(zone, distance_mm(bone_from_tool, zone), ticks);
     } else {
       move_away(zone, ticks);
     }

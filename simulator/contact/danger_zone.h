@@ -1,13 +1,14 @@
-/// Structures that must not be touched, as capsules; and how near a running blade comes to them.
+/// Structures that must not be touched, as capsules; and how near a running tool comes to them.
 ///
 ///     Far <--- 3 mm, 3.5 mm back ---> Near <--- 0 mm, 0.5 mm back for 0.2 s ---> Contact
 ///
-/// A blade at rest touches nothing: without the saw running each zone is Far. Margins and the wait
+/// A tool at rest touches nothing: without the saw running each zone is Far. Margins and the wait
 /// keep a trembling hand from telling the same contact many times.
 #pragma once
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 
 #include "simulator/base/fixed_array.h"
@@ -25,6 +26,16 @@ struct DangerCapsule {
 /// From the blade (tooth line, faces, edges; half a kerf thick to all sides) to the capsule;
 /// negative: how deep it is in, at most radius and half kerf [mm].
 double distance_to_capsule_mm(const RigidTransform& bone_from_tool, const Blade& blade,
+                              const DangerCapsule& capsule) noexcept;
+
+/// What a tool with a point reaches into the wound: from its tip back.
+struct DangerShaft {
+  double length_mm = 10.0;
+  double radius_mm = 0.5;
+};
+
+/// From the shaft to the capsule; negative: how deep it is in [mm].
+double distance_to_capsule_mm(const RigidTransform& bone_from_tool, const DangerShaft& shaft,
                               const DangerCapsule& capsule) noexcept;
 
 inline constexpr std::size_t danger_zone_limit = 64;
@@ -59,6 +70,13 @@ class DangerWatch {
   DangerWatch(const RigidTransform& world_from_bone, const Blade& blade,
               std::span<const DangerCapsule> zones);
 
+  /// Another tool is in the hand from now on.
+  void hold(const Blade& blade) noexcept {
+    blade_ = blade;
+    shaft_.reset();
+  }
+  void hold(const DangerShaft& shaft) noexcept { shaft_ = shaft; }
+
   /// Follows the record by one sample.
   /// errors  none: total, allocates nothing
   /// thread  haptic (and, on its own copy, assessment)
@@ -75,11 +93,17 @@ class DangerWatch {
     bool has_begun = false, has_ended = false;
   };
 
+  double distance_mm(const RigidTransform& bone_from_tool, std::size_t zone) const noexcept {
+    return shaft_ ? distance_to_capsule_mm(bone_from_tool, *shaft_, zones_[zone])
+                  : distance_to_capsule_mm(bone_from_tool, blade_, zones_[zone]);
+  }
   void approach(std::size_t zone, double distance_mm, std::int64_t ticks) noexcept;
   void move_away(std::size_t zone, std::int64_t ticks) noexcept;
 
   RigidTransform bone_from_world_;
   Blade blade_;
+  /// In place of the blade.
+  std::optional<DangerShaft> shaft_;
   FixedArray<DangerCapsule> zones_;
   FixedArray<DangerTrack> tracks_;
   FixedArray<Pending> pending_;

@@ -174,6 +174,19 @@ RigidTransform turned_about(const RigidTransform& pose, const WoundJoint& joint,
           joint.point_mm + transform_direction(turn, pose.translation_mm - joint.point_mm)};
 }
 
+/// As much of a way along a joint as contacts allow.
+double free_slide_mm(double slide_mm, const WoundJoint& joint,
+                     std::span<const BladeContact> contacts) noexcept {
+  double most_mm = slide_mm;
+  for (const BladeContact& contact : contacts) {
+    const double per_mm = glm::dot(contact.normal, joint.axis);
+    if (!(per_mm * most_mm < 0.0)) continue;
+    const double room_mm = std::max(0.0, contact.gap_mm) / std::abs(per_mm);
+    if (std::abs(most_mm) > room_mm) most_mm = most_mm < 0.0 ? -room_mm : room_mm;
+  }
+  return most_mm;
+}
+
 /// Pose, hand and drive of one tick.
 struct Lead {
   RigidTransform pose, wanted;
@@ -185,23 +198,33 @@ struct Lead {
   }
 };
 
+/// Along the joint or about it; how far the piece's furthest point went.
+double go_by_joint(const WoundJoint& joint, Lead& lead, const ProxyMotion& wanted, double most_mm,
+                   std::span<const BladeContact> contacts) noexcept {
+  if (joint.moves == JointMotion::Slide) {
+    const double asked_mm =
+        std::clamp(glm::dot(joint.axis, wanted.translation_mm), -most_mm, most_mm);
+    const double slide_mm = free_slide_mm(asked_mm, joint, contacts);
+    lead.pose.translation_mm += slide_mm * joint.axis;
+    return std::abs(slide_mm);
+  }
+  const double grip2_mm2 = lead.grip_mm * lead.grip_mm;
+  const double arm_mm = length_of(lead.pose.translation_mm - joint.point_mm) + lead.radius_mm;
+  const double limit_rad = most_mm / arm_mm;
+  const double asked_rad = std::clamp(
+      turn_about(joint, wanted, lead.pose.translation_mm, grip2_mm2), -limit_rad, limit_rad);
+  const double turn_rad = free_turn(asked_rad, joint, lead.pose.translation_mm, contacts);
+  lead.pose = turned_about(lead.pose, joint, turn_rad);
+  return std::abs(turn_rad) * arm_mm;
+}
+
 /// One part of a tick's way; how far it went.
 double go_on(GrippedBody& gripped, Lead& lead, const ProxyMotion& wanted, double most_mm,
              GrippedOutcome& outcome) noexcept {
   const GrippedContacts contacts(gripped, lead.pose, most_mm);
   for (const BladeContact& contact : contacts.all())
     outcome.is_touching = outcome.is_touching || contact.gap_mm < touching_mm;
-  if (gripped.joint) {
-    const WoundJoint& joint = *gripped.joint;
-    const double grip2_mm2 = lead.grip_mm * lead.grip_mm;
-    const double arm_mm = length_of(lead.pose.translation_mm - joint.point_mm) + lead.radius_mm;
-    const double limit_rad = most_mm / arm_mm;
-    const double asked_rad = std::clamp(
-        turn_about(joint, wanted, lead.pose.translation_mm, grip2_mm2), -limit_rad, limit_rad);
-    const double turn_rad = free_turn(asked_rad, joint, lead.pose.translation_mm, contacts.all());
-    lead.pose = turned_about(lead.pose, joint, turn_rad);
-    return std::abs(turn_rad) * arm_mm;
-  }
+  if (gripped.joint) return go_by_joint(*gripped.joint, lead, wanted, most_mm, contacts.all());
   const ProxyFriction friction{bone_friction, bone_kinetic_ratio, bone_friction};
   const ProxyMotion motion =
       solve_proxy(wanted, contacts.all(), lead.grip_mm, friction, gripped.load).motion;

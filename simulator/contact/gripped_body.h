@@ -1,5 +1,5 @@
 /// How a gripped piece follows the hand: it slides along what it touches and enters nothing, or it
-/// turns about a joint. Inside this room only.
+/// turns about a joint or slides along it. Inside this room only.
 ///
 ///     handle --coupling--> wanted pose --contacts (proxy.h), joint--> pose of the piece
 ///
@@ -33,6 +33,8 @@ struct StandingSurface {
   RigidTransform wound_from_surface, surface_from_wound;
 };
 
+enum class JointMotion { Turn, Slide };
+
 /// An axis that two fragments share, in the wound frame.
 struct WoundJoint {
   Vec3 point_mm{0.0, 0.0, 0.0};
@@ -40,6 +42,8 @@ struct WoundJoint {
   Vec3 axis{0.0, 1.0, 0.0};
   /// Nearer to the axis contact is not looked for: there the fragments share a bridge.
   double free_radius_mm = 0.0;
+  /// About the axis, or along it.
+  JointMotion moves = JointMotion::Turn;
 };
 
 /// A piece in the forceps.

@@ -55,12 +55,16 @@ std::size_t cell_of(std::int32_t kerf, std::int32_t number) noexcept {
 }  // namespace
 
 HeatField::HeatField(const Saw& saw)
-    : blade_(saw.blade),
-      tooth_speed_mm_s_(mean_tooth_speed_mm_s(saw.blade.depth_mm, saw.cycles_per_minute)),
-      friction_(saw_friction / saw.sharpness),
-      cells_(static_cast<std::size_t>(kerf_limit) * cells_per_kerf),
+    : cells_(static_cast<std::size_t>(kerf_limit) * cells_per_kerf),
       patches_(static_cast<std::size_t>(2 * kerf_limit * patches_over * patches_over)) {
   hottest_celsius_.fill(body_celsius);
+  hold(saw);
+}
+
+void HeatField::hold(const Saw& saw) noexcept {
+  blade_ = saw.blade;
+  tooth_speed_mm_s_ = mean_tooth_speed_mm_s(saw.blade.depth_mm, saw.cycles_per_minute);
+  friction_ = saw_friction / saw.sharpness;
 }
 
 HeatField::Cell& HeatField::visited(std::int32_t kerf, std::int32_t number) noexcept {

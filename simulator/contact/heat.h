@@ -60,6 +60,8 @@ class HeatField {
   /// Takes all its memory here. A dull blade rubs as much more as it is less sharp than a new one.
   /// needs   saw.sharpness > 0
   explicit HeatField(const Saw& saw);
+  /// Another saw heats from now on.
+  void hold(const Saw& saw) noexcept;
 
   /// Follows the record by one sample: heat where the teeth stand in bone, and the time since the
   /// sample before. While the attempt does not run, time stands still here too.
@@ -131,8 +133,8 @@ class HeatField {
   Cell& visited(std::int32_t kerf, std::int32_t number) noexcept;
 
   Blade blade_;
-  double tooth_speed_mm_s_;
-  double friction_;
+  double tooth_speed_mm_s_ = 0.0;
+  double friction_ = 0.0;
   /// Kerf by kerf, v running fastest.
   ZeroedArray<Cell> cells_;
   /// Kind by kind, kerf by kerf.

@@ -33,6 +33,8 @@ constexpr double drawn_back_limit_mm = 1.0;
 /// So far behind teeth that have just come out at the far side there is bone, also where they came
 /// out aslant.
 constexpr double behind_far_side_mm = 1.0;
+/// Kerfs of blades that differ by less are as wide.
+constexpr double same_width_mm = 1.0e-6;
 
 RigidTransform moved(const RigidTransform& pose, const Vec3& by_mm) noexcept {
   return {pose.rotation, pose.translation_mm + by_mm};
@@ -69,9 +71,9 @@ double feed(RigidTransform& bone_from_tool, const Push& push, const ToolInput& i
       const double left_mm = push.wanted_mm - done_mm;
       const double force_newton =
           std::min(settings.force_limit_newton, settings.coupling_newton_per_mm * left_mm);
-      const double rate_mm_s = input.saw_runs ? feed_rate_mm_s(outcome.engaged, force_newton,
-                                                               input.saw, settings.bone_quality)
-                                              : 0.0;
+      const double rate_mm_s = input.cuts() ? feed_rate_mm_s(outcome.engaged, force_newton,
+                                                             input.saw, settings.bone_quality)
+                                            : 0.0;
       step_mm = std::min({left_mm, push.room_mm - done_mm, rate_mm_s * input.duration_s});
       outcome.advance_mm = step_mm;
     }
@@ -305,10 +307,13 @@ std::int32_t teeth_over_slot(const RigidTransform& fragment_from_tool, const Ker
   return count;
 }
 
-/// The kerf of one fragment that a pose in its frame may use again, or -1.
+/// The kerf of one fragment that a pose in its frame may use again, or -1. One that is narrower or
+/// wider than what the blade takes is none of its own.
 std::int32_t kerf_to_join(const RigidTransform& fragment_from_tool, const FragmentKerfs& kerfs,
                           const ContactSettings& settings) noexcept {
   for (const std::int32_t kerf : kerfs) {
+    const double wider_mm = kerfs.plane(kerf).thickness_mm - kerfs.blade().kerf_mm;
+    if (std::abs(wider_mm) > same_width_mm) continue;
     const RigidTransform kerf_from_tool = kerfs.kerf_from_bone(kerf) * fragment_from_tool;
     const Vec3 normal = axis_z(kerf_from_tool);
     const double tilt_sine = length_of(Vec2{normal.x, normal.y});

@@ -117,6 +117,10 @@ struct ToolInput {
   double duration_s = 0.001;
   /// Of the step at hand; nothing where none leads.
   const GuidePlane* guide = nullptr;
+  /// Teeth stand on metal: they rub, and cut nothing.
+  bool is_on_metal = false;
+
+  bool cuts() const noexcept { return saw_runs && !is_on_metal; }
 };
 
 struct ToolOutcome {

@@ -35,7 +35,7 @@ Walk walk(ToolState& tool, const ToolInput& input, const Wound& bone,
 /// Running teeth advance by the feed law of what they alone bear.
 double feed_touch(ToolState& tool, const ToolInput& input, const Walk& walked,
                   const ContactSettings& settings, ToolOutcome& outcome) noexcept {
-  if (!input.saw_runs || tool.is_refused) return 0.0;
+  if (!input.cuts() || tool.is_refused) return 0.0;
   const Vec3 ahead = axis_x(tool.bone_from_tool);
   const double force_newton =
       std::min(settings.force_limit_newton,

@@ -39,18 +39,28 @@ const PieceBody* find_piece(const NumberedPieces& pieces, std::int32_t id) noexc
   return found == all.end() ? nullptr : &*found;
 }
 
+FragmentPoses poses_of(std::span<const BoneToCut> bones) {
+  std::vector<RigidTransform> world_from_bones;
+  for (const BoneToCut& bone : bones) world_from_bones.push_back(bone.world_from_bone);
+  return FragmentPoses(world_from_bones);
+}
+
 }  // namespace
 
-AttemptGeometry::AttemptGeometry(const Bone& bone, const Blade& blade,
-                                 const PlannedBridges& bridges)
-    : kerfs_(blade, bone.world_from_bone), bridges_(bridges) {
+AttemptGeometry::AttemptGeometry(const Bone& bone, const Tray& tray, const PlannedBridges& bridges)
+    : kerfs_(tray, bone.world_from_bone), bridges_(bridges) {
   fragments_.push_back({nullptr, CutBone(solid_of(bone)), {}});
 }
 
-AttemptGeometry::AttemptGeometry(const BoneToCut& bone, const Blade& blade,
+AttemptGeometry::AttemptGeometry(std::span<const BoneToCut> bones, const Tray& tray,
                                  const PlannedBridges& bridges)
-    : kerfs_(blade, bone.world_from_bone), bridges_(bridges) {
-  fragments_.push_back({nullptr, CutBone(bone.whole), {}});
+    : kerfs_(tray, poses_of(bones)), bridges_(bridges) {
+  for (const BoneToCut& bone : bones) {
+    const auto number = static_cast<std::int32_t>(fragments_.size());
+    fragments_.push_back(
+        {nullptr, CutBone(bone.whole, NumberedPieces(bone.whole.solid, number)), {}});
+  }
+  next_piece_ = static_cast<std::int32_t>(fragments_.size());
 }
 
 void AttemptGeometry::apply(const CutEvent& event) {

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "simulator/bone/close_bridge.h"
@@ -40,7 +41,7 @@ struct JobRequest {
 
 /// A piece as a job found it.
 struct FoundPiece {
-  /// 0 is the bone; what is cut off gets the next number and keeps it.
+  /// The bones are the first, from 0; what is cut off gets the next number and keeps it.
   std::int32_t id = 0;
   /// Came free since the job before.
   bool is_new = false;
@@ -126,9 +127,12 @@ struct BoneToCut {
 class AttemptGeometry {
  public:
   /// Builds the tree of the whole bone; work of 0.1 s.
-  AttemptGeometry(const Bone& bone, const Blade& blade, const PlannedBridges& bridges = {});
-  /// Borrows the bone's solid and its tree.
-  AttemptGeometry(const BoneToCut& bone, const Blade& blade, const PlannedBridges& bridges = {});
+  AttemptGeometry(const Bone& bone, const Tray& tray, const PlannedBridges& bridges = {});
+  /// Of one to bone_limit bones. Borrows their solids and trees.
+  AttemptGeometry(std::span<const BoneToCut> bones, const Tray& tray,
+                  const PlannedBridges& bridges = {});
+  AttemptGeometry(const BoneToCut& bone, const Tray& tray, const PlannedBridges& bridges = {})
+      : AttemptGeometry(std::span(&bone, 1), tray, bridges) {}
 
   /// Applies what the step gave out; events of a tick before its sample.
   void apply(const CutEvent& event);

@@ -11,8 +11,8 @@ constexpr std::int64_t ticks_between_wholes = 500;
 
 }  // namespace
 
-LiveCut::LiveCut(const BoneToCut& bone, const Blade& blade, const PlannedBridges& bridges)
-    : geometry_(bone, blade, bridges) {}
+LiveCut::LiveCut(const BoneToCut& bone, const Tray& tray, const PlannedBridges& bridges)
+    : geometry_(bone, tray, bridges) {}
 
 void LiveCut::apply(const ToolSample& sample) {
   tick_ = sample.tick;

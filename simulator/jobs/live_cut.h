@@ -39,7 +39,7 @@ struct FreedPiece {
 class LiveCut {
  public:
   /// Borrows the bone's solid and its tree.
-  LiveCut(const BoneToCut& bone, const Blade& blade, const PlannedBridges& bridges = {});
+  LiveCut(const BoneToCut& bone, const Tray& tray, const PlannedBridges& bridges = {});
 
   // What the loop feeds, in its order. The same jobs run at the same places as the loop's own, so
   // pieces have the same numbers here.

@@ -13,6 +13,7 @@
 
 #include "simulator/base/progress.h"
 #include "simulator/base/time_spread.h"
+#include "simulator/contact/tissue.h"
 #include "simulator/loop/clock_watch.h"
 #include "simulator/loop/locked_memory.h"
 #include "simulator/loop/priority.h"
@@ -44,20 +45,18 @@ class AttemptRun {
         device_(device, setup.simulation, setup.force_law),
         channels_(channels),
         progress_(progress),
-        tissue_(setup.simulation.bone),
-        simulation_(tissue_, setup.simulation) {
+        tissues_(setup.simulation.bones()),
+        simulation_(tissues_.all(), setup.simulation) {
     if (setup.job_runner != nullptr) {
       jobs_ = setup.job_runner;
       return;
     }
     const SimulationSetup& simulated = setup.simulation;
+    whole_.emplace(simulated, setup.whole);
     if (setup.pacing == Pacing::RealTime) {
-      own_jobs_ =
-          std::make_unique<ThreadedJobs>(BoneToCut{whole_bone(), simulated.bone.world_from_bone},
-                                         simulated.saw.blade, simulated.bridges);
+      own_jobs_ = std::make_unique<ThreadedJobs>(whole_->all(), simulated.tray, simulated.bridges);
     } else {
-      own_jobs_ =
-          std::make_unique<ImmediateJobs>(simulated.bone, simulated.saw.blade, simulated.bridges);
+      own_jobs_ = std::make_unique<ImmediateJobs>(whole_->all(), simulated.tray, simulated.bridges);
     }
     jobs_ = own_jobs_.get();
   }
@@ -90,12 +89,6 @@ class AttemptRun {
   }
 
  private:
-  const WholeBone& whole_bone() {
-    if (setup_.whole != nullptr) return *setup_.whole;
-    own_whole_ = std::make_unique<const WholeBone>(solid_of(setup_.simulation.bone));
-    return *own_whole_;
-  }
-
   void operate() {
     deadline_ = Clock::now() + tick_time;
     while (tick_ <= setup_.last_tick && !simulation_.is_over() && !is_cut_short()) {
@@ -310,10 +303,10 @@ class AttemptRun {
   DeviceLink device_;
   AttemptChannels& channels_;
   const Progress& progress_;
-  TissueMap tissue_;
+  TissueMaps tissues_;
   Simulation simulation_;
-  std::unique_ptr<const WholeBone> own_whole_;  ///< none where the setup has one, or nobody asks
-  std::unique_ptr<JobRunner> own_jobs_;         ///< none where the setup brings its own
+  std::optional<WholeBones> whole_;      ///< none where the setup brings its own jobs
+  std::unique_ptr<JobRunner> own_jobs_;  ///< none where the setup brings its own
   JobRunner* jobs_ = nullptr;
   TimeSpread step_times_, late_times_;
   LoopStatistics statistics_;

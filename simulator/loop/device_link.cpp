@@ -36,7 +36,7 @@ std::optional<ForceOutputSettings> settings_for(const DeviceDescription& device,
 DeviceLink::DeviceLink(HapticDevice& device, const SimulationSetup& simulated, ForceLaw law)
     : device_(device),
       motion_scale_(device.description().motion_scale),
-      saw_(simulated.saw),
+      tray_(simulated.tray),
       bone_quality_(simulated.contact.bone_quality),
       law_(law),
       vibration_scale_(vibration_scale_on(device.description())),
@@ -85,16 +85,17 @@ void DeviceLink::set_force(const StepOutput& output, std::int64_t ticks) noexcep
 
 Vec3 DeviceLink::vibration_newton(const StepOutput& output, double push_newton, double duration_s,
                                   bool is_live) noexcept {
-  if (!(vibration_scale_ > 0.0)) return {0.0, 0.0, 0.0};
+  const Saw* const saw = tray_.saw(output.tool);
+  if (!(vibration_scale_ > 0.0) || saw == nullptr) return {0.0, 0.0, 0.0};
   const ToolSample& sample = output.sample;
   VibrationInput input;
   input.saw_runs = is_live && has(sample.status, ToolStatus::SawOn);
-  input.cycles_per_minute = saw_.cycles_per_minute;
+  input.cycles_per_minute = saw->cycles_per_minute;
   input.duration_s = duration_s;
   if (has(sample.status, ToolStatus::Cutting)) {
     input.cutting_watt =
-        cutting_watt(output.engaged, saw_.blade.kerf_mm,
-                     feed_rate_mm_s(output.engaged, push_newton, saw_, bone_quality_));
+        cutting_watt(output.engaged, saw->blade.kerf_mm,
+                     feed_rate_mm_s(output.engaged, push_newton, *saw, bone_quality_));
   }
   const Vec3 along_teeth = axis_y(transform_from(sample.world_from_tool));
   return vibration_scale_ * vibrate(vibration_, input) * along_teeth;

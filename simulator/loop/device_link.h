@@ -79,7 +79,7 @@ class DeviceLink {
 
   HapticDevice& device_;
   double motion_scale_;
-  Saw saw_;
+  Tray tray_;
   double bone_quality_;
   ForceLaw law_;
   /// 0: the device renders none.

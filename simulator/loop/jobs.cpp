@@ -16,6 +16,14 @@ constexpr std::chrono::microseconds idle_rest{500};
 
 }  // namespace
 
+WholeBones::WholeBones(const SimulationSetup& setup, const WholeBone* first) {
+  for (const Bone* bone : setup.bones()) {
+    const bool is_had = bones_.empty() && first != nullptr;
+    if (!is_had) own_.push_back(std::make_unique<const WholeBone>(solid_of(*bone)));
+    bones_.push_back({is_had ? *first : *own_.back(), bone->world_from_bone});
+  }
+}
+
 bool ImmediateJobs::apply(const StepOutput& output) {
   for (const CutEvent& event : output.events) geometry_.apply(event);
   geometry_.apply(output.sample);
@@ -40,8 +48,9 @@ JobResult* ImmediateJobs::take(std::int32_t job) noexcept {
   return result;
 }
 
-ThreadedJobs::ThreadedJobs(const BoneToCut& bone, const Blade& blade, const PlannedBridges& bridges)
-    : geometry_(bone, blade, bridges),
+ThreadedJobs::ThreadedJobs(std::span<const BoneToCut> bones, const Tray& tray,
+                           const PlannedBridges& bridges)
+    : geometry_(bones, tray, bridges),
       feed_(feed_capacity),
       ready_(ready_capacity),
       worker_([this](const std::stop_token& stop) { work(stop); }) {}

@@ -12,8 +12,10 @@
 #include <exception>
 #include <memory>
 #include <optional>
+#include <span>
 #include <thread>
 #include <variant>
+#include <vector>
 
 #include "simulator/jobs/geometry_job.h"
 #include "simulator/loop/lent_results.h"
@@ -21,6 +23,19 @@
 #include "simulator/step/simulation.h"
 
 namespace hallux::simulator {
+
+/// The solids and trees of an operation's bones.
+class WholeBones {
+ public:
+  /// first  where somebody has the first bone's already; borrowed
+  explicit WholeBones(const SimulationSetup& setup, const WholeBone* first = nullptr);
+
+  std::span<const BoneToCut> all() const noexcept { return bones_; }
+
+ private:
+  std::vector<std::unique_ptr<const WholeBone>> own_;
+  std::vector<BoneToCut> bones_;
+};
 
 class JobRunner {
  public:
@@ -44,8 +59,12 @@ class JobRunner {
 /// Runs each job when it is asked for; ready at the next tick.
 class ImmediateJobs final : public JobRunner {
  public:
-  ImmediateJobs(const Bone& bone, const Blade& blade, const PlannedBridges& bridges = {})
-      : geometry_(bone, blade, bridges) {}
+  ImmediateJobs(const Bone& bone, const Tray& tray, const PlannedBridges& bridges = {})
+      : geometry_(bone, tray, bridges) {}
+  /// Borrows the bones' solids and their trees.
+  ImmediateJobs(std::span<const BoneToCut> bones, const Tray& tray,
+                const PlannedBridges& bridges = {})
+      : geometry_(bones, tray, bridges) {}
 
   bool apply(const StepOutput& output) override;
   bool has_room() const noexcept override { return true; }
@@ -65,8 +84,11 @@ class ImmediateJobs final : public JobRunner {
 /// Runs jobs on a thread of its own, in the order of their requests.
 class ThreadedJobs final : public JobRunner {
  public:
-  /// Borrows the bone's solid and its tree.
-  ThreadedJobs(const BoneToCut& bone, const Blade& blade, const PlannedBridges& bridges = {});
+  /// Borrows the bones' solids and their trees.
+  ThreadedJobs(std::span<const BoneToCut> bones, const Tray& tray,
+               const PlannedBridges& bridges = {});
+  ThreadedJobs(const BoneToCut& bone, const Tray& tray, const PlannedBridges& bridges = {})
+      : ThreadedJobs(std::span(&bone, 1), tray, bridges) {}
   ~ThreadedJobs() override;
 
   bool apply(const StepOutput& output) override;

@@ -1,6 +1,7 @@
 #include "simulator/loop/replay.h"
 
 #include "simulator/base/progress.h"
+#include "simulator/contact/tissue.h"
 #include "simulator/loop/jobs.h"
 
 namespace hallux::simulator {
@@ -13,9 +14,10 @@ class ReplayRun {
  public:
   ReplayRun(const Recording& recording, const SimulationSetup& setup)
       : recording_(recording),
-        tissue_(setup.bone),
-        simulation_(tissue_, setup),
-        jobs_(setup.bone, setup.saw.blade, setup.bridges) {
+        tissues_(setup.bones()),
+        simulation_(tissues_.all(), setup),
+        whole_(setup),
+        jobs_(whole_.all(), setup.tray, setup.bridges) {
     outputs_.engine = recording.engine;
     outputs_.samples.reserve(recording.samples.size());
     outputs_.events.reserve(recording.events.size());
@@ -89,8 +91,9 @@ class ReplayRun {
   }
 
   const Recording& recording_;
-  TissueMap tissue_;
+  TissueMaps tissues_;
   Simulation simulation_;
+  WholeBones whole_;
   ImmediateJobs jobs_;
   Recording outputs_;
   ReplayResult result_;

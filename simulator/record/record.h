@@ -86,7 +86,13 @@ enum class CommandKind : std::int32_t {
   /// The forceps let go.
   Release = 12,
   /// The gripped piece is driven home: into what its sawn walls came from, until the faces touch.
-  Impact = 13
+  Impact = 13,
+  /// Another tool is taken into the hand. Argument: its place on the tray.
+  ChooseTool = 14,
+  /// The driver lets go of the wire or screw that stands in bone.
+  LeaveImplant = 15,
+  /// The driver takes hold of a wire or screw that it left. Argument: the implant.
+  TakeImplant = 16
 };
 
 /// A decision applied at a tick: of the operator, the loop, or a job that is ready.
@@ -127,7 +133,7 @@ enum class ToolStatus : std::uint32_t {
   /// The attempt's clock runs.
   Running = 1U << 0U,
   SawOn = 1U << 1U,
-  /// Teeth touch bone.
+  /// Teeth or a tip touch bone, or a piece in the forceps touches another.
   InContact = 1U << 2U,
   /// Teeth advance in bone.
   Cutting = 1U << 3U,
@@ -135,13 +141,21 @@ enum class ToolStatus : std::uint32_t {
   InKerf = 1U << 4U,
   Irrigated = 1U << 5U,
   ForceLimited = 1U << 6U,
-  Faulted = 1U << 7U
+  Faulted = 1U << 7U,
+  /// A wire, drill or screw is held by the axis of its bore.
+  InBore = 1U << 8U,
+  /// The drive of a wire, drill or screw runs; of a saw it is SawOn.
+  DriveOn = 1U << 9U,
+  /// The tip of a wire, drill or screw advances in bone; of teeth it is Cutting.
+  Boring = 1U << 10U
 };
 
 /// The tool as it was after the constraint, at the end of one tick, in the world (foot frame).
 struct ToolSample {
   std::int64_t tick = 0;
-  /// Origin at the middle of the tooth line, +x from handle to teeth, z blade normal.
+  /// Of a saw: origin at the middle of the tooth line, +x from handle to teeth, z blade normal.
+  /// Of a wire, drill or screw: origin at the tip, +x along the axis. Of forceps that hold a piece:
+  /// the piece.
   QuantisedPose world_from_tool;
   /// On the hand, world frame, simulated newtons in millinewton.
   std::array<std::int32_t, 3> force_mn{};
@@ -212,7 +226,35 @@ enum class CutEventKind : std::int32_t {
   /// Subject: fragment; pose: bone_from_fragment, where it lies from now on.
   Released = 27,
   /// Subject: why (GripRefusal); value: the piece that was asked for.
-  GripRefused = 28
+  GripRefused = 28,
+  /// Subject: the tool's place on the tray; before the first it is the tray's first.
+  ToolChosen = 29,
+  /// Subject: why (ToolRefusal); value: the place that was asked for.
+  ToolRefused = 30,
+  /// The point of a wire, drill or screw met bone.
+  PointContact = 31,
+  /// Subject: bore; value: the fragment that it is in; pose: fragment_from_bore. A tool that is in
+  /// a bore of another fragment says the same axis in this one.
+  BoreBegun = 32,
+  /// Subject: bore; value: the fragment; a tool is in it again.
+  BoreEntered = 33,
+  /// The point asked for more bores than an attempt may have.
+  BoreRefused = 34,
+  /// Subject: bore; the tip came out at the far side; value: the push just before [mN].
+  BoreThrough = 35,
+  /// Subject: implant; it stops the running tool.
+  MetalMet = 36,
+  /// Subject: bore; the screw's head stands on bone.
+  ScrewSeated = 37,
+  /// Subject: implant, with the next number; value: the fragment that it goes along with; pose:
+  /// fragment_from_tool.
+  ImplantLeft = 38,
+  /// As ImplantLeft, of one that goes along with another fragment from now on.
+  ImplantCarried = 39,
+  /// Subject: implant; it is in the driver again.
+  ImplantTaken = 40,
+  /// Subject: why (ImplantRefusal); value: the implant, -1 where one was to be left.
+  ImplantRefused = 41
 };
 
 /// Something that happened once, at the end of one tick.
@@ -222,8 +264,8 @@ struct CutEvent {
   std::int32_t subject = -1;
   std::int64_t value = 0;
   /// bone_from_tool for cutting and danger events, bone_from_moved for HingeClosed and fragments,
-  /// bone_from_place (in the kerf's axes) for heat, the point of a piece for pieces, identity
-  /// otherwise.
+  /// bone_from_place (in the kerf's axes) for heat, the point of a piece for pieces, as said there
+  /// for bores and implants, identity otherwise.
   QuantisedPose pose;
 
   friend bool operator==(const CutEvent&, const CutEvent&) = default;

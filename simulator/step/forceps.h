@@ -23,7 +23,9 @@ enum class GripRefusal : std::int32_t {
   /// The blade stands in bone.
   ToolInBone = 4,
   /// As many fragments were moved as there may be.
-  TooMany = 5
+  TooMany = 5,
+  /// A screw, wires that are not parallel, or a wire and a hinge hold it.
+  Held = 6
 };
 
 class Forceps {

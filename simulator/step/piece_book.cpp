@@ -4,6 +4,10 @@
 
 namespace hallux::simulator {
 
+PieceBook::PieceBook(std::int32_t bones) noexcept : bone_count_(bones), fragment_count_(bones) {
+  for (std::int32_t bone = 0; bone < bones; ++bone) own_[index(bone)].id = bone;
+}
+
 void PieceBook::learn(std::span<FoundPiece> pieces, std::int32_t fragment) noexcept {
   pieces_[index(fragment)] = pieces;
   announced_[index(fragment)] = 0;
@@ -51,7 +55,7 @@ KnownPiece PieceBook::find(std::int32_t piece) noexcept {
 }
 
 const FoundPiece* PieceBook::remove(const KnownPiece& known) noexcept {
-  const bool is_bone = known.is_own && known.fragment == 0;
+  const bool is_bone = known.is_own && known.fragment < bone_count_;
   if (known.piece == nullptr || is_bone || all_removed_ == removed_piece_limit) return nullptr;
   known.piece->is_taken_out = true;
   if (!known.is_own) {

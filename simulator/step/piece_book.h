@@ -30,6 +30,10 @@ struct KnownPiece {
 /// Takes no memory: it borrows the pieces of jobs' results.
 class PieceBook {
  public:
+  /// The bones are pieces too, numbered from 0.
+  /// bones  at most bone_limit
+  explicit PieceBook(std::int32_t bones = 1) noexcept;
+
   /// The pieces of a fragment as a job found them, borrowed until the next are learned, the bodies
   /// of those that are taken out for the book's lifetime; those that came free are announced from
   /// the first.
@@ -85,8 +89,8 @@ class PieceBook {
   OfEach<FoundPiece> own_{};
   OfEach<std::array<const Bvh*, removed_piece_limit>> removed_{};
   OfEach<std::size_t> removed_count_{};
-  /// A bone of its own is the first.
-  std::int32_t fragment_count_ = 1;
+  /// The bones are the first.
+  std::int32_t bone_count_, fragment_count_;
   std::size_t all_removed_ = 0;
   /// The piece announced last; 0: none was.
   std::int32_t freed_last_ = 0;

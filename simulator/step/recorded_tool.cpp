@@ -35,6 +35,20 @@ ToolSample sample_of(const RecordedTick& at, const ToolState& tool, const ToolIn
   return sample;
 }
 
+ToolSample sample_of(const RecordedTick& at, const BoreToolState& tool, const BoreInput& input,
+                     const BoreOutcome& outcome) noexcept {
+  ToolSample sample;
+  sample.tick = at.tick;
+  sample.world_from_tool = quantise(at.world_from_bone * tool.wound_from_tool);
+  sample.force_mn = force_mn(at, outcome.force_in_wound_newton);
+  mark(sample, ToolStatus::DriveOn, input.drive_runs);
+  mark(sample, ToolStatus::InBore, tool.stage == BoreStage::InBore);
+  mark(sample, ToolStatus::InContact, outcome.engaged.width_mm() > 0.0);
+  mark(sample, ToolStatus::Boring, outcome.advance_mm > 0.0);
+  mark(sample, ToolStatus::ForceLimited, outcome.is_force_limited);
+  return sample;
+}
+
 ToolSample sample_of(const RecordedTick& at, const RigidTransform& bone_from_piece,
                      const GrippedOutcome& outcome) noexcept {
   ToolSample sample;

@@ -1,9 +1,11 @@
-/// What is recorded of a tool in one tick: of the saw, or of the piece that is led in its place.
+/// What is recorded of a tool in one tick: of the saw, of what bores, or of the piece that is led
+/// in its place.
 /// Inside this corner only.
 #pragma once
 
 #include <cstdint>
 
+#include "simulator/contact/bore/bore_motion.h"
 #include "simulator/contact/gripped_body.h"
 #include "simulator/contact/tool_motion.h"
 #include "simulator/record/record.h"
@@ -22,6 +24,8 @@ struct RecordedTick {
 /// kerf  that holds the blade; -1: none
 ToolSample sample_of(const RecordedTick& at, const ToolState& tool, const ToolInput& input,
                      const ToolOutcome& outcome, std::int32_t kerf) noexcept;
+ToolSample sample_of(const RecordedTick& at, const BoreToolState& tool, const BoreInput& input,
+                     const BoreOutcome& outcome) noexcept;
 ToolSample sample_of(const RecordedTick& at, const RigidTransform& bone_from_piece,
                      const GrippedOutcome& outcome) noexcept;
 

@@ -1,14 +1,14 @@
 /// The order within a step is the record's: commands and results of jobs, faults, pieces that are
 /// announced, then the tool, its sample, what the sample opened, and last the effects, which have
-/// the events' room that is left. Small machines beside this file keep clock, pieces, hinge and
-/// guide; what stands here passes things between them. Work without a bound is asked for and comes
-/// back as a command some ticks later: a replay applies it at the same tick.
+/// the events' room that is left. Small machines beside this file keep clock, pieces, hinge, guide
+/// and the tool in the hand; what stands here passes things between them. Work without a bound is
+/// asked for and comes back as a command some ticks later: a replay applies it at the same tick.
 #include "simulator/step/simulation.h"
 
 #include <utility>
 
 #include "simulator/base/units.h"
-#include "simulator/contact/blade_probe.h"
+#include "simulator/step/recorded_tool.h"
 
 namespace hallux::simulator {
 
@@ -24,131 +24,134 @@ constexpr std::size_t tiles_touched_per_step = 2;
 /// Events of one line; heat and danger zones take the room that is left. Each command has at most
 /// two, but for that which ends the attempt (a scratch and a piece let go as well).
 constexpr std::size_t events_of_commands = 2 * commands_per_tick + 1;
-/// A contact or a saw started in bone with its kick, or such a kick with the plane frozen; and the
-/// plane that a cut has in a further fragment.
-constexpr std::size_t events_of_motion = 3;
+/// Of a saw: metal met, a contact or a start in bone with its kick, or such a kick with the plane
+/// frozen, and the plane that a cut has in a further fragment. Of a tool that bores: a point that
+/// came through, metal met, a screw seated, a bore entered or begun.
+constexpr std::size_t events_of_motion = 4, events_of_implants = 1;
 constexpr std::size_t events_of_fault = 1, events_of_piece_taken = 1, events_of_grip = 1;
 static_assert(events_of_commands + events_of_fault + sections_per_step + pieces_per_step +
-                  events_of_piece_taken + events_of_grip + events_of_motion <=
+                  events_of_piece_taken + events_of_grip + events_of_implants + events_of_motion <=
               events_per_step);
 
-std::int64_t thousandths(double value) noexcept {
-  return static_cast<std::int64_t>(value * 1000.0 + 0.5);
+FragmentPoses poses_of(const SimulationSetup& setup) noexcept {
+  FixedList<RigidTransform, static_cast<std::size_t>(bone_limit)> poses;
+  for (const Bone* bone : setup.bones()) poses.push(bone->world_from_bone);
+  return FragmentPoses(std::span(poses.begin(), poses.size()));
 }
+
+QuantisedPose place_of(const FoundPiece& piece) noexcept {
+  return quantise({Quat{1.0, 0.0, 0.0, 0.0}, piece.inside_mm});
+}
+
 }  // namespace
 
-Simulation::Simulation(const TissueMap& tissue, const SimulationSetup& setup)
+FixedList<const Bone*, static_cast<std::size_t>(bone_limit)> SimulationSetup::bones()
+    const noexcept {
+  FixedList<const Bone*, static_cast<std::size_t>(bone_limit)> all;
+  all.push(&bone);
+  for (const Bone* further : further_bones) all.push(further);
+  return all;
+}
+
+Simulation::Simulation(std::span<const TissueMap* const> tissues, const SimulationSetup& setup)
     : world_from_bone_(setup.bone.world_from_bone),
       bone_from_world_(inverse(setup.bone.world_from_bone)),
-      saw_(setup.saw),
       settings_(setup.contact),
-      kerfs_(setup.saw.blade, setup.bone.world_from_bone),
+      record_(setup.tray, poses_of(setup)),
       effects_(setup.bone.world_from_bone,
-               {setup.saw, setup.contact.guide.guidance != Guidance::None}, setup.danger_zones),
-      fragments_(tissue, setup.bone, kerfs_) {
-  kerfs_.make_tiles_ready(tiles_ready_at_start, tiles_ready_at_start);
+               {setup.tray.first_saw(), setup.contact.guide.guidance != Guidance::None},
+               setup.danger_zones),
+      fragments_(tissues, setup.bones(), record_.kerfs()),
+      pieces_(poses().bone_count()) {
+  record_.make_tiles_ready(tiles_ready_at_start, tiles_ready_at_start);
 }
 
 StepOutput Simulation::step(const StepInput& input) noexcept {
   StepOutput output;
-  kerfs_.make_tiles_ready(tiles_kept_ready, tiles_touched_per_step);
-  tick_ = input.line.tick + input.line.ticks - 1;
+  record_.make_tiles_ready(tiles_kept_ready, tiles_touched_per_step);
+  StepWriter out(input.line.tick + input.line.ticks - 1, record_, output, next_job_);
   bone_from_handle_ = bone_from_handle(input.line);
-  apply_commands(input, output);
-  watch_faults(input.line.device.faults, output);
+  metal_.update(record_.implants(), wound());
+  apply_commands(input, out);
+  watch_faults(input.line.device.faults, out);
   place_tool(input.line);
-  announce_pieces(output);
-  carry_out_waiting(output);
-  take_up_saw(input.line);
-  if (!is_running() || faults_ != 0 || is_hand_empty_) {
-    stand_still(output);
+  announce_pieces(out);
+  carry_out_waiting(out);
+  carried_.carry_next(wound(), out);
+  if (faults_ == 0) hand_.take_up(bone_from_handle_, record_.tray(), wound());
+  if (!is_running() || faults_ != 0 || hand_.is_empty()) {
+    stand_still(out);
   } else if (forceps_.is_holding()) {
-    lead_piece(input.line, output);
+    lead_piece(input.line, out);
   } else {
-    move(input.line, output);
+    move(input.line, out);
   }
+  output.tool = hand_.place();
   mark(output.sample, ToolStatus::Running, is_running());
   mark(output.sample, ToolStatus::Faulted, faults_ != 0);
-  apply_to_effects(output);
+  apply_to_effects(out);
   return output;
 }
 
-void Simulation::note(StepOutput& output, CutEventKind kind, std::int32_t subject,
-                      std::int64_t value) const noexcept {
-  CutEvent event{tick_, kind, subject, value, {}};
-  const bool is_about_cutting = kind == CutEventKind::Scratch || kind == CutEventKind::Contact ||
-                                kind == CutEventKind::PlaneFrozen ||
-                                kind == CutEventKind::Breakthrough || kind == CutEventKind::Kick;
-  if (is_about_cutting) event.pose = quantise(tool_.bone_from_tool);
-  output.events.push(event);
-}
-
-void Simulation::note_piece(StepOutput& output, CutEventKind kind,
-                            const FoundPiece& piece) const noexcept {
-  output.events.push({tick_, kind, piece.id, thousandths(piece.volume_mm3),
-                      quantise({Quat{1.0, 0.0, 0.0, 0.0}, piece.inside_mm})});
-}
-
-/// Says what the kerfs and the fragments follow, here as with all who follow the record.
-void Simulation::say(const CutEvent& event, StepOutput& output) noexcept {
-  CHECK(kerfs_.apply(event));
-  output.events.push(event);
-}
-
-void Simulation::ask(JobKind kind, std::int32_t subject, StepOutput& output) noexcept {
-  output.requests.push({next_job_++, kind, subject, tick_});
-}
-
-void Simulation::apply_commands(const StepInput& input, StepOutput& output) noexcept {
+void Simulation::apply_commands(const StepInput& input, StepWriter& out) noexcept {
   for (std::size_t i = 0; i < input.line.command_count && i < commands_per_tick; ++i) {
     const Command& command = input.line.commands[i];
     if (command.kind == CommandKind::ApplyJob) {
       JobResult* const result = input.job_results[i];
       CHECK(result != nullptr && result->request.id == command.argument);
-      apply_job(*result, output);
+      apply_job(*result, out);
     } else if (!is_over()) {
-      apply(command, output);
+      apply(command, input.line, out);
     }
   }
 }
 
-void Simulation::apply(const Command& command, StepOutput& output) noexcept {
+void Simulation::apply(const Command& command, const TapeLine& line, StepWriter& out) noexcept {
   switch (command.kind) {
     case CommandKind::Start:
-      if (clock_.start()) note(output, CutEventKind::Started);
+      if (clock_.start()) out.say(CutEventKind::Started);
       break;
     case CommandKind::Pause:
-      note_clock(clock_.pause(command.argument), command.argument, output);
+      note_clock(clock_.pause(command.argument), command.argument, out);
       break;
     case CommandKind::Resume:
-      note_clock(clock_.resume(command.argument), command.argument, output);
+      note_clock(clock_.resume(command.argument), command.argument, out);
       break;
     case CommandKind::StepDone:
-      finish_step(command.argument, output);
+      finish_step(command.argument, out);
       break;
     case CommandKind::ReopenStep:
-      reopen_step(command.argument, output);
+      reopen_step(command.argument, out);
       break;
     case CommandKind::PickUp:
-      pick_up(command.argument, output);
+      pick_up(command.argument, out);
       break;
     case CommandKind::CloseHinge:
       hinge_.want(command.argument);
       break;
     case CommandKind::Finish:
-      end(CutEventKind::Finished, output);
+      end(CutEventKind::Finished, out);
       break;
     case CommandKind::Abandon:
-      end(CutEventKind::Abandoned, output);
+      end(CutEventKind::Abandoned, out);
       break;
     case CommandKind::Grip:
-      want_grip(command.argument, output);
+      want_grip(command.argument, out);
       break;
     case CommandKind::Release:
-      let_go(output);
+      let_go(out);
       break;
     case CommandKind::Impact:
       if (forceps_.is_holding()) forceps_.drive();
+      break;
+    case CommandKind::ChooseTool:
+      choose_tool(command.argument, out);
+      break;
+    case CommandKind::LeaveImplant:
+      leave_implant(out);
+      break;
+    case CommandKind::TakeImplant:
+      take_implant(command.argument, line, out);
       break;
     case CommandKind::ApplyJob:
       break;
@@ -156,79 +159,76 @@ void Simulation::apply(const Command& command, StepOutput& output) noexcept {
 }
 
 void Simulation::note_clock(ClockChange change, std::int32_t holder,
-                            StepOutput& output) const noexcept {
-  if (change == ClockChange::Paused) note(output, CutEventKind::Paused, holder);
-  if (change == ClockChange::Resumed) note(output, CutEventKind::Resumed, holder);
+                            StepWriter& out) const noexcept {
+  if (change == ClockChange::Paused) out.say(CutEventKind::Paused, holder);
+  if (change == ClockChange::Resumed) out.say(CutEventKind::Resumed, holder);
 }
 
-void Simulation::finish_step(std::int32_t step, StepOutput& output) noexcept {
-  note(output, CutEventKind::StepDone, step);
+void Simulation::finish_step(std::int32_t step, StepWriter& out) noexcept {
+  out.say(CutEventKind::StepDone, step);
   guide_.finish_step(step);
-  tool_.guided_s = 0.0;
+  hand_.sawing().rest();
 }
 
-void Simulation::reopen_step(std::int32_t step, StepOutput& output) noexcept {
-  note(output, CutEventKind::StepReopened, step);
+void Simulation::reopen_step(std::int32_t step, StepWriter& out) noexcept {
+  out.say(CutEventKind::StepReopened, step);
   guide_.reopen_step(step);
-  tool_.guided_s = 0.0;
+  hand_.sawing().rest();
 }
 
-void Simulation::end(CutEventKind how, StepOutput& output) noexcept {
-  let_go(output);
+void Simulation::end(CutEventKind how, StepWriter& out) noexcept {
+  let_go(out);
   clock_.end();
-  if (tool_.stage == ToolStage::Touching && tool_.scratch_mm > 0.0) {
-    note(output, CutEventKind::Scratch, -1, um_from_mm(tool_.scratch_mm));
-  }
-  note(output, how);
+  hand_.sawing().end(out);
+  out.say(how);
 }
 
-void Simulation::apply_job(JobResult& result, StepOutput& output) noexcept {
+void Simulation::apply_job(JobResult& result, StepWriter& out) noexcept {
   switch (result.request.kind) {
     case JobKind::Section:
-      note(output, CutEventKind::SectionKnown, result.request.subject,
-           thousandths(result.section_mm2));
-      output.given_back.push(&result);
+      out.say(CutEventKind::SectionKnown, result.request.subject, thousandths(result.section_mm2));
+      out.output().given_back.push(&result);
       break;
     case JobKind::Pieces:
-      apply_pieces(result, output);
+      apply_pieces(result, out);
       break;
     case JobKind::Hinge:
-      apply_hinge(result, output);
+      apply_hinge(result, out);
       break;
     case JobKind::Grip:
-      apply_grip(result, output);
+      apply_grip(result, out);
       break;
   }
 }
 
-void Simulation::apply_pieces(JobResult& result, StepOutput& output) noexcept {
+void Simulation::apply_pieces(JobResult& result, StepWriter& out) noexcept {
   piece_requests_.apply();
   pieces_.learn(result.pieces, result.fragment);
   const JobResult*& known = pieces_results_[static_cast<std::size_t>(result.fragment)];
-  if (known != nullptr) output.given_back.push(known);
+  if (known != nullptr) out.output().given_back.push(known);
   known = &result;
   for (const std::int32_t kerf : result.completed) pieces_.cover_section(kerf);
 }
 
 /// A hinge that closes leaves two fragments with surfaces of their own. Its result is kept: the
 /// surfaces are borrowed from it.
-void Simulation::apply_hinge(JobResult& result, StepOutput& output) noexcept {
+void Simulation::apply_hinge(JobResult& result, StepWriter& out) noexcept {
   const ClosedHinge& hinge = result.hinge;
   const std::int32_t number = hinge_.asked();
-  const bool has_closed = hinge.outcome == HingeOutcome::Closed && !kerfs_.fragments().is_full();
+  const bool has_closed = hinge.outcome == HingeOutcome::Closed && !poses().is_full();
   hinge_.apply(has_closed);
   if (!has_closed) {
-    note(output, CutEventKind::HingeRefused, static_cast<std::int32_t>(hinge.outcome),
-         um_from_mm(hinge.thickness_mm));
-    output.given_back.push(&result);
+    out.say(CutEventKind::HingeRefused, static_cast<std::int32_t>(hinge.outcome),
+            um_from_mm(hinge.thickness_mm));
+    out.output().given_back.push(&result);
     return;
   }
   const DividedFragment& divided = result.divided;
-  say({tick_, CutEventKind::FragmentParted, divided.moved_piece, divided.fragment, {}}, output);
-  say({tick_, CutEventKind::HingeClosed, number, micro_from_unit(hinge.angle_rad),
-       quantise(hinge.bone_from_moved)},
-      output);
-  const std::int32_t moved = kerfs_.fragments().count() - 1;
+  out.say(CutEventKind::FragmentParted, divided.moved_piece, divided.fragment);
+  out.say(CutEventKind::HingeClosed, number, micro_from_unit(hinge.angle_rad),
+          quantise(hinge.bone_from_moved));
+  const std::int32_t moved = poses().count() - 1;
+  carried_.part(divided.fragment, moved, record_.implants());
   pieces_.forget_removed(divided.fragment);
   pieces_.part_new(divided.moved_piece, divided.moved_mm3, divided.inside_moved_mm);
   fragments_.cut_from(divided.fragment, *divided.fixed_surface);
@@ -236,74 +236,84 @@ void Simulation::apply_hinge(JobResult& result, StepOutput& output) noexcept {
   fragments_.hang(moved, {hinge.joint.point_mm, hinge.joint.axis, hinge.bridge_radius_mm});
   stand(divided.fragment);
   stand(moved);
-  leave_kerf(tool_);
+  hand_.sawing().leave_kerf();
 }
 
 /// A piece that is gripped for the first time becomes a fragment. The job's result is kept: the
 /// surfaces of both are borrowed from it.
-void Simulation::apply_grip(JobResult& result, StepOutput& output) noexcept {
+void Simulation::apply_grip(JobResult& result, StepWriter& out) noexcept {
   const GrippedPiece& found = result.gripped;
-  const std::int32_t piece = result.request.subject;
-  const KnownPiece known = pieces_.find(piece);
+  const KnownPiece known = pieces_.find(result.request.subject);
   if (is_over() || found.surface == nullptr || known.piece == nullptr) {
-    output.given_back.push(&result);
-    refuse_grip(GripRefusal::NoSuchPiece, output);
+    out.output().given_back.push(&result);
+    refuse_grip(GripRefusal::NoSuchPiece, out);
     return;
   }
-  std::int32_t fragment = known.fragment;
-  leave_kerf(tool_);
-  if (!known.is_own) {
-    CHECK(pieces_.part(piece));
-    say({tick_, CutEventKind::FragmentParted, piece, fragment, {}}, output);
-    for (const MetFragment& met : found.met) {
-      if (met.fragment == fragment) fragments_.cut_from(fragment, *met.surface);
-    }
-    pieces_.forget_removed(fragment);
-    stand(fragment);
-    fragment = kerfs_.fragments().count() - 1;
-    fragments_.cut_from(fragment, *found.surface);
-    stand(fragment);
+  hand_.sawing().leave_kerf();
+  const std::int32_t fragment = known.is_own ? known.fragment : part_gripped(found, known, out);
+  ImplantHold hold = hold_of(fragment, record_.implants(), wound());
+  const std::optional<WoundJoint> hinge = fragments_.joint_of(fragment);
+  if (hold.is_fixed || (hold.joint && hinge)) {
+    if (known.is_own) out.output().given_back.push(&result);
+    refuse_grip(GripRefusal::Held, out);
+    return;
   }
-  say({tick_, CutEventKind::Gripped, fragment, 0,
-       quantise(kerfs_.fragments()[fragment].bone_from_fragment)},
-      output);
-  forceps_.hold(fragment, found, wound(), fragments_.joint_of(fragment), bone_from_handle_);
+  out.say(CutEventKind::Gripped, fragment, 0, quantise(poses()[fragment].bone_from_fragment));
+  forceps_.hold(fragment, found, wound(), hinge ? hinge : hold.joint, bone_from_handle_);
   if (known.is_own) gripped_result_ = &result;
 }
 
-void Simulation::watch_faults(std::uint32_t faults, StepOutput& output) noexcept {
-  if (faults == faults_) return;
-  faults_ = faults;
-  if (faults_ != 0) note(output, CutEventKind::Fault, -1, faults_);
+/// The number of the fragment that the piece is from now on.
+std::int32_t Simulation::part_gripped(const GrippedPiece& found, const KnownPiece& known,
+                                      StepWriter& out) noexcept {
+  const std::int32_t parent = known.fragment, piece = known.piece->id;
+  CHECK(pieces_.part(piece));
+  out.say(CutEventKind::FragmentParted, piece, parent);
+  const std::int32_t fragment = poses().count() - 1;
+  for (const MetFragment& met : found.met) {
+    if (met.fragment == parent) fragments_.cut_from(parent, *met.surface);
+  }
+  pieces_.forget_removed(parent);
+  stand(parent);
+  fragments_.cut_from(fragment, *found.surface);
+  stand(fragment);
+  carried_.part(parent, fragment, record_.implants());
+  return fragment;
 }
 
-void Simulation::announce_pieces(StepOutput& output) noexcept {
+void Simulation::watch_faults(std::uint32_t faults, StepWriter& out) noexcept {
+  if (faults == faults_) return;
+  faults_ = faults;
+  if (faults_ != 0) out.say(CutEventKind::Fault, -1, faults_);
+}
+
+void Simulation::announce_pieces(StepWriter& out) noexcept {
   for (std::size_t said = 0; said < sections_per_step; ++said) {
     const std::int32_t kerf = pieces_.announce_next_section();
     if (kerf < 0) break;
-    note(output, CutEventKind::SectionCovered, kerf);
+    out.say(CutEventKind::SectionCovered, kerf);
   }
   for (std::size_t said = 0; said < pieces_per_step; ++said) {
     const FoundPiece* const piece = pieces_.announce_next();
     if (piece == nullptr) return;
-    note_piece(output, CutEventKind::PieceFreed, *piece);
+    out.say(CutEventKind::PieceFreed, piece->id, thousandths(piece->volume_mm3), place_of(*piece));
   }
 }
 
 /// Wishes from while the pieces are worked out: which piece is meant is known only now, and one
 /// that was not known then could be the wedge itself.
-void Simulation::carry_out_waiting(StepOutput& output) noexcept {
+void Simulation::carry_out_waiting(StepWriter& out) noexcept {
   if (piece_requests_.is_waiting() || is_over()) return;
-  if (pieces_.is_all_announced()) pick_up(pieces_.take_wanted(), output);
-  if (piece_requests_.is_wanted() || output.requests.is_full()) return;
+  if (pieces_.is_all_announced()) pick_up(pieces_.take_wanted(), out);
+  if (piece_requests_.is_wanted() || !out.may_ask()) return;
   if (hinge_.is_wanted() && hinge_.ask(piece_requests_.has_opened())) {
-    ask(JobKind::Hinge, hinge_.asked(), output);
+    out.ask(JobKind::Hinge, hinge_.asked());
   }
   const bool wants_grip = forceps_.phase() == Forceps::Phase::Wanted;
-  if (wants_grip && pieces_.is_all_announced() && !hinge_.is_asked()) ask_for_grip(output);
+  if (wants_grip && pieces_.is_all_announced() && !hinge_.is_asked()) ask_for_grip(out);
 }
 
-void Simulation::pick_up(std::int32_t piece, StepOutput& output) noexcept {
+void Simulation::pick_up(std::int32_t piece, StepWriter& out) noexcept {
   if (piece_requests_.is_waiting()) {
     pieces_.want(piece);
     return;
@@ -312,7 +322,7 @@ void Simulation::pick_up(std::int32_t piece, StepOutput& output) noexcept {
   if (known.fragment >= 0 && known.fragment == forceps_.fragment()) return;
   const FoundPiece* const taken = pieces_.take_out(piece);
   if (taken == nullptr) return;
-  note_piece(output, CutEventKind::PieceRemoved, *taken);
+  out.say(CutEventKind::PieceRemoved, taken->id, thousandths(taken->volume_mm3), place_of(*taken));
   if (known.is_own) {
     fragments_.take_out(known.fragment);
   } else {
@@ -320,44 +330,51 @@ void Simulation::pick_up(std::int32_t piece, StepOutput& output) noexcept {
   }
 }
 
-void Simulation::want_grip(std::int32_t piece, StepOutput& output) noexcept {
+void Simulation::want_grip(std::int32_t piece, StepWriter& out) noexcept {
   if (forceps_.is_empty()) {
     forceps_.want(piece);
   } else {
-    note(output, CutEventKind::GripRefused, static_cast<std::int32_t>(GripRefusal::HandsFull),
-         piece);
+    out.say(CutEventKind::GripRefused, static_cast<std::int32_t>(GripRefusal::HandsFull), piece);
   }
 }
 
-void Simulation::refuse_grip(GripRefusal why, StepOutput& output) noexcept {
+void Simulation::refuse_grip(GripRefusal why, StepWriter& out) noexcept {
   forceps_.let_go();
-  note(output, CutEventKind::GripRefused, static_cast<std::int32_t>(why), forceps_.wanted());
+  out.say(CutEventKind::GripRefused, static_cast<std::int32_t>(why), forceps_.wanted());
 }
 
-void Simulation::ask_for_grip(StepOutput& output) noexcept {
+void Simulation::ask_for_grip(StepWriter& out) noexcept {
   const KnownPiece known = pieces_.find(forceps_.wanted());
-  if (known.piece == nullptr) return refuse_grip(GripRefusal::NoSuchPiece, output);
-  if (known.is_own && known.fragment < kerfs_.fragments().bone_count())
-    return refuse_grip(GripRefusal::BoneItself, output);
-  if (tool_.stage != ToolStage::Free || blade_is_in_bone(tool_.bone_from_tool, wound()))
-    return refuse_grip(GripRefusal::ToolInBone, output);
-  if (!known.is_own && kerfs_.fragments().is_full())
-    return refuse_grip(GripRefusal::TooMany, output);
+  if (known.piece == nullptr) return refuse_grip(GripRefusal::NoSuchPiece, out);
+  if (known.is_own && known.fragment < poses().bone_count())
+    return refuse_grip(GripRefusal::BoneItself, out);
+  const Tray& tray = record_.tray();
+  if (!hand_.is_free(tray) || hand_.is_in_bone(tray, wound()))
+    return refuse_grip(GripRefusal::ToolInBone, out);
+  if (!known.is_own && poses().is_full()) return refuse_grip(GripRefusal::TooMany, out);
   forceps_.ask();
-  ask(JobKind::Grip, known.piece->id, output);
+  out.ask(JobKind::Grip, known.piece->id);
 }
 
-/// The piece lies where it was led to, rounded as it is recorded. The saw is taken up again.
-void Simulation::let_go(StepOutput& output) noexcept {
+/// In the frame of its bone, rounded as it is recorded.
+QuantisedPose Simulation::pose_of_gripped() const noexcept {
+  const RigidTransform& piece = forceps_.wound_from_piece();
+  const std::int32_t bone = poses()[forceps_.fragment()].bone;
+  if (bone == 0) return quantise(piece);
+  return quantise(poses()[bone].fragment_from_world * world_from_bone_ * piece);
+}
+
+/// The piece lies where it was led to. The tool is taken up again.
+void Simulation::let_go(StepWriter& out) noexcept {
   if (forceps_.phase() == Forceps::Phase::Wanted) forceps_.let_go();
   if (!forceps_.is_holding()) return;
   const std::int32_t fragment = forceps_.fragment();
-  say({tick_, CutEventKind::Released, fragment, 0, quantise(forceps_.wound_from_piece())}, output);
+  out.say(CutEventKind::Released, fragment, 0, pose_of_gripped());
   forceps_.let_go();
   stand(fragment);
-  is_hand_empty_ = true;
+  hand_.put_down();
   if (const JobResult* const kept = std::exchange(gripped_result_, nullptr)) {
-    output.given_back.push(kept);
+    out.output().given_back.push(kept);
   }
 }
 
@@ -365,133 +382,102 @@ void Simulation::let_go(StepOutput& output) noexcept {
 /// it waits.
 void Simulation::place_tool(const TapeLine& line) noexcept {
   if (!clock_.awaits_tool() || faults_ != 0) return;
-  tool_.bone_from_tool = bone_from_handle(line);
+  hand_.place_at(bone_from_handle(line));
   clock_.note_tool_placed();
 }
 
-/// While it is worked out how a bone moves, nothing of it is sawn.
-void Simulation::move(const TapeLine& line, StepOutput& output) noexcept {
-  const bool is_bone_held = !hinge_.is_asked() && forceps_.phase() != Forceps::Phase::Asked;
-  const ToolInput input{saw_, bone_from_handle(line),
-                        has(line.device.switches, Switch::SawRuns) && is_bone_held,
-                        static_cast<double>(line.ticks) * step_s, guide_.plane(settings_.guide)};
-  const std::int32_t kerf_before = kerf_of_tool();
-  const ToolOutcome outcome = move_tool(tool_, input, wound(), settings_);
-  report(outcome, output);
-  if (outcome.wants_freeze) freeze(output);
-  if (input.saw_runs && kerf_before >= 0 && kerf_before == kerf_of_tool()) follow_cut(output);
+void Simulation::choose_tool(std::int32_t place, StepWriter& out) noexcept {
+  const auto refuse = [&](ToolRefusal why) {
+    out.say(CutEventKind::ToolRefused, static_cast<std::int32_t>(why), place);
+  };
+  if (!record_.tray().has(place)) return refuse(ToolRefusal::NoSuchTool);
+  if (!forceps_.is_empty()) return refuse(ToolRefusal::HandsFull);
+  if (!hand_.is_free(record_.tray())) return refuse(ToolRefusal::ToolInBone);
+  out.say(CutEventKind::ToolChosen, place);
+  effects_.hold(record_.tray()[place]);
+  hand_.choose(place);
+}
 
-  output.sample = sample_of(at_end(), tool_, input, outcome, kerf_of_tool());
-  mark(output.sample, ToolStatus::Irrigated, has(line.device.switches, Switch::Irrigates));
-  output.engaged = outcome.engaged;
-  output.torque_in_world_newton_mm =
-      transform_direction(world_from_bone_, outcome.torque_in_bone_newton_mm);
-  // What is recorded is what cuts: the field follows the rounded pose. The tool itself goes on
-  // unrounded, else a feed below half a micrometre a tick would stand still.
-  const bool has_opened = !kerfs_.apply(output.sample).empty();
-  piece_requests_.watch({kerf_before, kerf_of_tool(), has_opened, outcome.broke_through});
-  if (!output.requests.is_full() && piece_requests_.ask()) {
-    ask(JobKind::Pieces, piece_requests_.last_opened(), output);
+void Simulation::leave_implant(StepWriter& out) noexcept {
+  const bool is_held = forceps_.is_empty() && !hand_.is_empty();
+  if (is_held && record_.tray().saw(hand_.place()) == nullptr) {
+    if (hand_.boring().leave_implant(record_.tray()[hand_.place()], site(), out)) hand_.put_down();
+    return;
   }
+  out.say(CutEventKind::ImplantRefused, static_cast<std::int32_t>(ImplantRefusal::NothingToLeave),
+          -1);
+}
+
+void Simulation::take_implant(std::int32_t implant, const TapeLine& line,
+                              StepWriter& out) noexcept {
+  const auto refuse = [&](ImplantRefusal why) {
+    out.say(CutEventKind::ImplantRefused, static_cast<std::int32_t>(why), implant);
+  };
+  const ImplantSet& implants = record_.implants();
+  if (!implants.is_there(implant) || wound().fragment(implants[implant].fragment) == nullptr)
+    return refuse(ImplantRefusal::NoSuchImplant);
+  if (implants[implant].tool != hand_.place()) return refuse(ImplantRefusal::OtherTool);
+  if (!forceps_.is_empty() || !hand_.is_free(record_.tray()))
+    return refuse(ImplantRefusal::HandsFull);
+  hand_.boring().take_implant(implant, hand_of(line), site(), out);
+  hand_.hold();
+  metal_.update(implants, wound());
+}
+
+/// While it is worked out how a bone moves, nothing of it is cut.
+ToolHand Simulation::hand_of(const TapeLine& line) const noexcept {
+  const bool is_bone_held = !hinge_.is_asked() && forceps_.phase() != Forceps::Phase::Asked;
+  return {bone_from_handle(line), line.device.switches, static_cast<double>(line.ticks) * step_s,
+          is_bone_held, guide_.plane(settings_.guide)};
+}
+
+void Simulation::move(const TapeLine& line, StepWriter& out) noexcept {
+  const Tool& held = record_.tray()[hand_.place()];
+  if (const auto* blade = std::get_if<Saw>(&held)) {
+    saw(*blade, line, out);
+  } else {
+    hand_.boring().move(held, hand_of(line), site(), out);
+  }
+  if (!out.may_ask()) return;
+  const std::int32_t kerf = piece_requests_.ask(record_.kerfs());
+  if (kerf >= 0) out.ask(JobKind::Pieces, kerf);
+}
+
+void Simulation::saw(const Saw& saw, const TapeLine& line, StepWriter& out) noexcept {
+  const SawPassage passage = hand_.sawing().move(saw, hand_of(line), site(), out);
+  if (passage.has_begun_kerf)
+    guide_.note_own_kerf(wound().plane(passage.blade.kerf_after).bone_from_kerf);
+  piece_requests_.watch(passage.blade);
 }
 
 /// While a piece is held, the tool of the record is the piece.
-void Simulation::lead_piece(const TapeLine& line, StepOutput& output) noexcept {
+void Simulation::lead_piece(const TapeLine& line, StepWriter& out) noexcept {
   const GrippedOutcome outcome =
       forceps_.lead(bone_from_handle(line), static_cast<double>(line.ticks) * step_s, settings_);
-  output.sample = sample_of(at_end(), forceps_.wound_from_piece(), outcome);
-  output.torque_in_world_newton_mm =
+  out.output().torque_in_world_newton_mm =
       transform_direction(world_from_bone_, outcome.pull.torque_newton_mm);
-  kerfs_.apply(output.sample);
+  out.put(sample_of({out.tick(), world_from_bone_}, forceps_.wound_from_piece(), outcome));
 }
 
-/// The forceps were put down: the saw comes back into the hand where its blade is clear of bone.
-void Simulation::take_up_saw(const TapeLine& line) noexcept {
-  if (!is_hand_empty_ || faults_ != 0) return;
-  tool_ = {};
-  tool_.bone_from_tool = bone_from_handle(line);
-  is_hand_empty_ = blade_is_in_bone(tool_.bone_from_tool, wound());
-}
-
-/// Paused, in a gap, faulted, before the start or after the end.
-void Simulation::stand_still(StepOutput& output) noexcept {
-  tool_.guided_s = 0.0;  // the hand goes on meanwhile: it is led anew, softly
-  output.sample.tick = tick_;
+/// Paused, in a gap, faulted, before the start or after the end. A sample in no kerf and no bore
+/// ends a sweep, here as for those who follow the record.
+void Simulation::stand_still(StepWriter& out) noexcept {
+  hand_.sawing().rest();  // the hand goes on meanwhile: it is led anew, softly
+  ToolSample sample;
+  sample.tick = out.tick();
   const RigidTransform& held =
-      forceps_.is_holding() ? forceps_.wound_from_piece() : tool_.bone_from_tool;
-  output.sample.world_from_tool = quantise(world_from_bone_ * held);
-  // A sample in no kerf ends a sweep, here as for those who follow the record.
-  kerfs_.apply(output.sample);
-}
-
-void Simulation::report(const ToolOutcome& outcome, StepOutput& output) const noexcept {
-  if (outcome.began_contact) note(output, CutEventKind::Contact, tool_.kerf);
-  if (outcome.kicked != KickCause::None) {
-    note(output, CutEventKind::Kick, static_cast<std::int32_t>(outcome.kicked),
-         thousandths(kick_impulse_newton_s));
-  }
-  if (outcome.scratch_mm > 0.0) {
-    note(output, CutEventKind::Scratch, -1, um_from_mm(outcome.scratch_mm));
-  }
-  if (outcome.broke_through) note(output, CutEventKind::Breakthrough, tool_.kerf);
-}
-
-/// A touch is deep enough: the blade goes on in a kerf that is already there, or in a new one in
-/// its own plane, in the fragment in which most of its teeth stand.
-void Simulation::freeze(StepOutput& output) noexcept {
-  std::int32_t kerf = find_kerf_to_join(tool_.bone_from_tool, wound(), settings_);
-  if (kerf < 0) {
-    const std::int32_t fragment = fragment_at_teeth(tool_.bone_from_tool, wound(), tool_.teeth);
-    const RigidTransform fragment_from_tool =
-        wound().fragment(fragment)->fragment_from(tool_.bone_from_tool);
-    kerf = freeze_in(fragment, fragment_from_tool, output);
-    if (kerf < 0) {
-      note(output, CutEventKind::KerfRefused);
-      tool_.is_refused = true;
-      return;
-    }
-    guide_.note_own_kerf(wound().plane(kerf).bone_from_kerf);
-  }
-  is_cut_refused_ = false;
-  enter_kerf(tool_, kerf);
-}
-
-/// -1 where there is no kerf left.
-std::int32_t Simulation::freeze_in(std::int32_t fragment, const RigidTransform& fragment_from_tool,
-                                   StepOutput& output) noexcept {
-  const std::int32_t kerf = kerfs_.count();
-  if (kerf == kerf_limit) return -1;
-  say({tick_, CutEventKind::PlaneFrozen, kerf, fragment, quantise(fragment_from_tool)}, output);
-  ask(JobKind::Section, kerf, output);
-  return kerf;
-}
-
-/// Teeth of a blade in its kerf that stand in another fragment cut there too, in the same plane.
-void Simulation::follow_cut(StepOutput& output) noexcept {
-  if (kerfs_.fragments().count() == 1 || is_cut_refused_ || output.requests.is_full()) return;
-  const KerfNumbers cut = kerfs_.one_cut_with(tool_.kerf);
-  const auto is_uncut = [&](std::int32_t fragment) {
-    for (const std::int32_t kerf : cut) {
-      if (kerfs_.fragment_of(kerf) == fragment) return false;
-    }
-    return true;
-  };
-  const std::int32_t fragment =
-      fragment_at_teeth(tool_.bone_from_tool, wound(), tool_.teeth, is_uncut);
-  if (fragment < 0) return;
-  const KerfPlane plane = wound().plane(tool_.kerf);
-  const RigidTransform fragment_from_kerf =
-      wound().fragment(fragment)->fragment_from(plane.bone_from_kerf);
-  if (freeze_in(fragment, fragment_from_kerf, output) >= 0) return;
-  note(output, CutEventKind::KerfRefused);
-  is_cut_refused_ = true;
+      forceps_.is_holding() ? forceps_.wound_from_piece() : hand_.bone_from_tool(record_.tray());
+  sample.world_from_tool = quantise(world_from_bone_ * held);
+  out.put(sample);
 }
 
 /// Events for which this step has no room wait for the next.
-void Simulation::apply_to_effects(StepOutput& output) noexcept {
+void Simulation::apply_to_effects(StepWriter& out) noexcept {
+  StepOutput& output = out.output();
   effects_.apply(output.sample, wound());
   CutEvent event;
-  while (!output.events.is_full() && effects_.take_event(kerfs_, event)) output.events.push(event);
+  while (!output.events.is_full() && effects_.take_event(record_.kerfs(), event))
+    output.events.push(event);
   output.flex = effects_.flex();
   output.hottest_celsius = effects_.heat().hottest_now_celsius();
 }

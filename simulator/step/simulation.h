@@ -7,24 +7,21 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <vector>
 
-#include "simulator/base/fixed_list.h"
-#include "simulator/contact/tissue.h"
-#include "simulator/contact/tool_motion.h"
-#include "simulator/jobs/geometry_job.h"
-#include "simulator/record/record.h"
 #include "simulator/step/attempt_clock.h"
+#include "simulator/step/boring.h"
+#include "simulator/step/carried_implants.h"
 #include "simulator/step/forceps.h"
 #include "simulator/step/guide_of_step.h"
 #include "simulator/step/hinge_requests.h"
 #include "simulator/step/piece_book.h"
 #include "simulator/step/piece_requests.h"
-#include "simulator/step/recorded_tool.h"
+#include "simulator/step/sawing.h"
 #include "simulator/step/standing_fragments.h"
-#include "simulator/step/tool_effects.h"
-#include "simulator/tool/saw.h"
+#include "simulator/step/step_output.h"
+#include "simulator/step/tool_in_hand.h"
 
 namespace hallux::simulator {
 
@@ -35,47 +32,51 @@ struct StepInput {
   std::array<JobResult*, commands_per_tick> job_results{};
 };
 
-inline constexpr std::size_t events_per_step = 24;
-
-/// What is below `requests` is for displays and devices and is not recorded.
-struct StepOutput {
-  ToolSample sample;
-  /// Before the sample, in order.
-  FixedList<CutEvent, events_per_step> events;
-  /// To be run on the state after this step.
-  FixedList<JobRequest, 4> requests;
-  /// Results that the step needs no more, but for the bodies of pieces that were taken out.
-  FixedList<const JobResult*, commands_per_tick> given_back;
-  Engagement engaged;
-  BladeFlex flex;
-  /// Of all bone now.
-  double hottest_celsius = body_celsius;
-  /// On the hand about the tool's origin, world frame, for a device that can turn.
-  Vec3 torque_in_world_newton_mm{0.0, 0.0, 0.0};
+/// Why a tool is not taken into the hand.
+enum class ToolRefusal : std::int32_t {
+  /// No such place is on the tray.
+  NoSuchTool = 1,
+  /// The forceps hold a piece, or are about to.
+  HandsFull = 2,
+  /// The tool in the hand stands on bone, or in it.
+  ToolInBone = 3
 };
 
-/// The matter of an attempt: the bone, the tool, and the rules between them. Who attempts, and how
+/// The matter of an attempt: the bone, the tools, and the rules between them. Who attempts, and how
 /// time goes on, is the loop's. An attempt and its replay have the same.
 struct SimulationSetup {
-  /// Borrowed for as long as the setup lives.
+  /// Borrowed for as long as the setup lives. Its frame is that of events and danger zones.
   const Bone& bone;
-  Saw saw = {};
+  Tray tray = {};
   ContactSettings contact = {};
   /// That the operation leaves and closes.
   PlannedBridges bridges = {};
   /// At most danger_zone_limit; the rest is not watched.
   std::vector<DangerCapsule> danger_zones = {};
+  /// Beside the first, with it at most bone_limit; borrowed likewise.
+  std::vector<const Bone*> further_bones = {};
+
+  /// All of them, the first first.
+  FixedList<const Bone*, static_cast<std::size_t>(bone_limit)> bones() const noexcept;
 };
 
 /// The state of one attempt.
 class Simulation {
  public:
-  /// Takes all its memory here. Borrows `tissue`, of the setup's bone, for its lifetime.
-  Simulation(const TissueMap& tissue, const SimulationSetup& setup);
+  /// Takes all its memory here.
+  /// tissues  of the setup's bones, borrowed for its lifetime
+  Simulation(std::span<const TissueMap* const> tissues, const SimulationSetup& setup);
+  /// Of one bone.
+  Simulation(const TissueMap& tissue, const SimulationSetup& setup)
+      : Simulation(std::array{&tissue}, setup) {}
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
-  const KerfSet& kerfs() const noexcept { return kerfs_; }
+  const KerfSet& kerfs() const noexcept { return record_.kerfs(); }
+  const BoreSet& bores() const noexcept { return record_.bores(); }
+  const ImplantSet& implants() const noexcept { return record_.implants(); }
+  /// Its place on the tray.
+  std::int32_t tool_in_hand() const noexcept { return hand_.place(); }
   /// The fragment in the forceps; -1: none.
   std::int32_t gripped() const noexcept { return forceps_.fragment(); }
   const ToolEffects& effects() const noexcept { return effects_; }
@@ -89,61 +90,58 @@ class Simulation {
   StepOutput step(const StepInput& input) noexcept;
 
  private:
-  void apply_commands(const StepInput& input, StepOutput& output) noexcept;
-  void apply(const Command& command, StepOutput& output) noexcept;
-  void note_clock(ClockChange change, std::int32_t holder, StepOutput& output) const noexcept;
-  void finish_step(std::int32_t step, StepOutput& output) noexcept;
-  void reopen_step(std::int32_t step, StepOutput& output) noexcept;
-  void end(CutEventKind how, StepOutput& output) noexcept;
-  void apply_job(JobResult& result, StepOutput& output) noexcept;
-  void apply_pieces(JobResult& result, StepOutput& output) noexcept;
-  void apply_hinge(JobResult& result, StepOutput& output) noexcept;
-  void apply_grip(JobResult& result, StepOutput& output) noexcept;
-  void watch_faults(std::uint32_t faults, StepOutput& output) noexcept;
-  void announce_pieces(StepOutput& output) noexcept;
-  void carry_out_waiting(StepOutput& output) noexcept;
-  void pick_up(std::int32_t piece, StepOutput& output) noexcept;
-  void want_grip(std::int32_t piece, StepOutput& output) noexcept;
-  void ask_for_grip(StepOutput& output) noexcept;
-  void refuse_grip(GripRefusal why, StepOutput& output) noexcept;
-  void let_go(StepOutput& output) noexcept;
-  void take_up_saw(const TapeLine& line) noexcept;
+  void apply_commands(const StepInput& input, StepWriter& out) noexcept;
+  void apply(const Command& command, const TapeLine& line, StepWriter& out) noexcept;
+  void note_clock(ClockChange change, std::int32_t holder, StepWriter& out) const noexcept;
+  void finish_step(std::int32_t step, StepWriter& out) noexcept;
+  void reopen_step(std::int32_t step, StepWriter& out) noexcept;
+  void end(CutEventKind how, StepWriter& out) noexcept;
+  void apply_job(JobResult& result, StepWriter& out) noexcept;
+  void apply_pieces(JobResult& result, StepWriter& out) noexcept;
+  void apply_hinge(JobResult& result, StepWriter& out) noexcept;
+  void apply_grip(JobResult& result, StepWriter& out) noexcept;
+  std::int32_t part_gripped(const GrippedPiece& found, const KnownPiece& known,
+                            StepWriter& out) noexcept;
+  void watch_faults(std::uint32_t faults, StepWriter& out) noexcept;
+  void announce_pieces(StepWriter& out) noexcept;
+  void carry_out_waiting(StepWriter& out) noexcept;
+  void pick_up(std::int32_t piece, StepWriter& out) noexcept;
+  void want_grip(std::int32_t piece, StepWriter& out) noexcept;
+  void ask_for_grip(StepWriter& out) noexcept;
+  void refuse_grip(GripRefusal why, StepWriter& out) noexcept;
+  QuantisedPose pose_of_gripped() const noexcept;
+  void let_go(StepWriter& out) noexcept;
+  void choose_tool(std::int32_t place, StepWriter& out) noexcept;
+  void leave_implant(StepWriter& out) noexcept;
+  void take_implant(std::int32_t implant, const TapeLine& line, StepWriter& out) noexcept;
   void place_tool(const TapeLine& line) noexcept;
-  void move(const TapeLine& line, StepOutput& output) noexcept;
-  void lead_piece(const TapeLine& line, StepOutput& output) noexcept;
-  void stand_still(StepOutput& output) noexcept;
-  void freeze(StepOutput& output) noexcept;
-  std::int32_t freeze_in(std::int32_t fragment, const RigidTransform& fragment_from_tool,
-                         StepOutput& output) noexcept;
-  void follow_cut(StepOutput& output) noexcept;
-  void report(const ToolOutcome& outcome, StepOutput& output) const noexcept;
-  void apply_to_effects(StepOutput& output) noexcept;
-  void ask(JobKind kind, std::int32_t subject, StepOutput& output) noexcept;
-  void say(const CutEvent& event, StepOutput& output) noexcept;
-  void note(StepOutput& output, CutEventKind kind, std::int32_t subject = -1,
-            std::int64_t value = 0) const noexcept;
-  void note_piece(StepOutput& output, CutEventKind kind, const FoundPiece& piece) const noexcept;
+  void move(const TapeLine& line, StepWriter& out) noexcept;
+  void saw(const Saw& saw, const TapeLine& line, StepWriter& out) noexcept;
+  void lead_piece(const TapeLine& line, StepWriter& out) noexcept;
+  void stand_still(StepWriter& out) noexcept;
+  void apply_to_effects(StepWriter& out) noexcept;
   RigidTransform bone_from_handle(const TapeLine& line) const noexcept {
     return bone_from_world_ * transform_from(line.device.world_from_handle);
   }
-  /// The kerf that holds the blade, or -1.
-  std::int32_t kerf_of_tool() const noexcept {
-    return tool_.stage == ToolStage::InKerf ? tool_.kerf : -1;
+  ToolHand hand_of(const TapeLine& line) const noexcept;
+  ToolSite site() const noexcept {
+    return {wound(), settings_, world_from_bone_, metal_.capsules()};
   }
   const Wound& wound() const noexcept { return fragments_.wound(); }
-  RecordedTick at_end() const noexcept { return {tick_, world_from_bone_}; }
+  const FragmentPoses& poses() const noexcept { return record_.fragments(); }
   /// The fragment stands as it is now.
   void stand(std::int32_t fragment) noexcept {
     fragments_.stand(fragment, pieces_.removed(fragment));
   }
 
   RigidTransform world_from_bone_, bone_from_world_;
-  Saw saw_;
   ContactSettings settings_;
-  KerfSet kerfs_;
+  FollowedRecord record_;
   ToolEffects effects_;
-  ToolState tool_;
+  ToolInHand hand_;
   StandingFragments fragments_;
+  StandingMetal metal_;
+  CarriedImplants carried_;
   AttemptClock clock_;
   GuideOfStep guide_;
   PieceRequests piece_requests_;
@@ -155,12 +153,7 @@ class Simulation {
   /// To be given back when the forceps let go; null where there is none.
   const JobResult* gripped_result_ = nullptr;
   RigidTransform bone_from_handle_;
-  /// The forceps were put down where the blade would stand in bone: it is taken up again beside it.
-  bool is_hand_empty_ = false;
-  /// No kerf was left for a fragment that the blade's cut reached.
-  bool is_cut_refused_ = false;
   std::int32_t next_job_ = 0;
-  std::int64_t tick_ = 0;
   /// Bits of DeviceFault, of the line before.
   std::uint32_t faults_ = 0;
 };

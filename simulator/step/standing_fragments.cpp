@@ -5,17 +5,24 @@
 
 namespace hallux::simulator {
 
-StandingFragments::StandingFragments(const TissueMap& tissue, const Bone& bone,
+StandingFragments::StandingFragments(std::span<const TissueMap* const> tissues,
+                                     std::span<const Bone* const> bones,
                                      const KerfSet& kerfs) noexcept
-    : tissue_(tissue),
-      kerfs_(kerfs),
-      wound_from_world_(inverse(bone.world_from_bone)),
-      wound_(kerfs) {
-  for (const Vec3& point : bone.outer.points_mm) centre_mm_ += point;
-  centre_mm_ /= static_cast<double>(bone.outer.points_mm.size());
+    : kerfs_(kerfs), wound_from_world_(inverse(bones.front()->world_from_bone)), wound_(kerfs) {
+  for (std::size_t bone = 0; bone < bones.size(); ++bone) {
+    bones_[bone] = standing(*tissues[bone], *bones[bone]);
+    stand(static_cast<std::int32_t>(bone), {});
+  }
+}
+
+StandingFragments::StandingBone StandingFragments::standing(const TissueMap& tissue,
+                                                            const Bone& bone) noexcept {
+  StandingBone standing{&tissue};
+  for (const Vec3& point : bone.outer.points_mm) standing.centre_mm += point;
+  standing.centre_mm /= static_cast<double>(bone.outer.points_mm.size());
   for (const Vec3& point : bone.outer.points_mm)
-    radius_mm_ = std::max(radius_mm_, length_of(point - centre_mm_));
-  stand(0, {});
+    standing.radius_mm = std::max(standing.radius_mm, length_of(point - standing.centre_mm));
+  return standing;
 }
 
 std::optional<WoundJoint> StandingFragments::joint_of(std::int32_t fragment) const noexcept {
@@ -31,10 +38,12 @@ std::optional<WoundJoint> StandingFragments::joint_of(std::int32_t fragment) con
 
 void StandingFragments::stand(std::int32_t fragment, std::span<const Bvh* const> removed) noexcept {
   const FragmentPose& pose = kerfs_.fragments()[fragment];
-  const RemainingTissue tissue{tissue_, FragmentKerfs(kerfs_, fragment), removed,
+  const StandingBone& bone = bones_[static_cast<std::size_t>(pose.bone)];
+  const RemainingTissue tissue{*bone.tissue, FragmentKerfs(kerfs_, fragment), removed,
                                surfaces_[static_cast<std::size_t>(fragment)]};
-  WoundFragment standing{tissue, {}, {}, pose.is_moved, centre_mm_, radius_mm_};
-  if (pose.is_moved) {
+  const bool is_elsewhere = pose.is_moved || pose.bone != 0;
+  WoundFragment standing{tissue, {}, {}, is_elsewhere, bone.centre_mm, bone.radius_mm};
+  if (is_elsewhere) {
     standing.wound_from_fragment = wound_from_world_ * pose.world_from_fragment;
     standing.fragment_from_wound = inverse(standing.wound_from_fragment);
   }

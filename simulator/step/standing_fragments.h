@@ -14,8 +14,10 @@ namespace hallux::simulator {
 
 class StandingFragments {
  public:
-  /// A bone that is one fragment. Borrows tissue and kerfs for its lifetime.
-  StandingFragments(const TissueMap& tissue, const Bone& bone, const KerfSet& kerfs) noexcept;
+  /// Each bone is a fragment; the first one's frame is the wound's. Borrows tissues and kerfs for
+  /// its lifetime.
+  StandingFragments(std::span<const TissueMap* const> tissues, std::span<const Bone* const> bones,
+                    const KerfSet& kerfs) noexcept;
   StandingFragments(const StandingFragments&) = delete;
   StandingFragments& operator=(const StandingFragments&) = delete;
 
@@ -41,12 +43,17 @@ class StandingFragments {
   template <typename Value>
   using OfEach = std::array<Value, static_cast<std::size_t>(fragment_limit)>;
 
-  const TissueMap& tissue_;
+  /// A bone's tissues, and a ball around it: so around each of its fragments in their frames.
+  struct StandingBone {
+    const TissueMap* tissue = nullptr;
+    Vec3 centre_mm{0.0, 0.0, 0.0};
+    double radius_mm = 0.0;
+  };
+  static StandingBone standing(const TissueMap& tissue, const Bone& bone) noexcept;
+
   const KerfSet& kerfs_;
   RigidTransform wound_from_world_;
-  /// Around the bone, and so around each of its fragments in their frames.
-  Vec3 centre_mm_{0.0, 0.0, 0.0};
-  double radius_mm_ = 0.0;
+  std::array<StandingBone, static_cast<std::size_t>(bone_limit)> bones_{};
   /// Null: all of the bone.
   OfEach<const Bvh*> surfaces_{};
   OfEach<std::optional<WoundJoint>> joints_{};

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "simulator/base/units.h"
+#include "simulator/contact/bore/bore_tool.h"
 #include "simulator/record/sample_force.h"
 
 namespace hallux::simulator {
@@ -26,6 +27,19 @@ ToolEffects::ToolEffects(const RigidTransform& world_from_bone, const SawInHand&
       heat_(hand.saw),
       danger_(world_from_bone, hand.saw.blade, watched(danger_zones)) {}
 
+void ToolEffects::hold(const Tool& tool) noexcept {
+  if (const auto* saw = std::get_if<Saw>(&tool)) {
+    blade_ = saw->blade;
+    has_blade_ = true;
+    heat_.hold(*saw);
+    danger_.hold(blade_);
+    return;
+  }
+  has_blade_ = false;
+  if (const std::optional<BoreTool> held = bore_tool(tool))
+    danger_.hold(DangerShaft{held->shaft_mm, held->radius_mm});
+}
+
 void ToolEffects::apply(const ToolSample& sample, const Wound& bone) noexcept {
   tick_ = sample.tick;
   bone_from_tool_ = quantise(bone_from_world_ * transform_from(sample.world_from_tool));
@@ -35,7 +49,7 @@ void ToolEffects::apply(const ToolSample& sample, const Wound& bone) noexcept {
 }
 
 void ToolEffects::bend(const ToolSample& sample, const Wound& bone) noexcept {
-  const bool tells_of_bend = !is_guided_ || has(sample.status, ToolStatus::InKerf);
+  const bool tells_of_bend = has_blade_ && (!is_guided_ || has(sample.status, ToolStatus::InKerf));
   if (!has(sample.status, ToolStatus::InContact) || !tells_of_bend) {
     flex_ = {};
     return;

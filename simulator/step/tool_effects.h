@@ -9,7 +9,7 @@
 #include "simulator/contact/blade_flex.h"
 #include "simulator/contact/danger_zone.h"
 #include "simulator/contact/heat.h"
-#include "simulator/tool/saw.h"
+#include "simulator/tool/tray.h"
 
 namespace hallux::simulator {
 
@@ -36,6 +36,8 @@ class ToolEffects {
   ToolEffects(const RigidTransform& world_from_bone, const SawInHand& hand,
               std::span<const DangerCapsule> danger_zones = {});
 
+  /// Another tool is in the hand from now on: a saw, or one that bores.
+  void hold(const Tool& tool) noexcept;
   /// needs   samples in their order; `bone` as it stands after the sample
   /// thread  haptic; allocates nothing
   void apply(const ToolSample& sample, const Wound& bone) noexcept;
@@ -52,6 +54,8 @@ class ToolEffects {
   RigidTransform bone_from_world_;
   Blade blade_;
   bool is_guided_;
+  /// Of a tool that bores nothing bends that is shown.
+  bool has_blade_ = true;
   HeatField heat_;
   DangerWatch danger_;
   BladeFlex flex_;

@@ -56,7 +56,7 @@ TEST(EffectTrack, ComesToTheBitToWhatTheStepFollowed) {
 
 TEST(EffectTrack, OfADullBladeRubsAsItDidInTheStep) {
   const Bone bone = block();
-  SimulationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}), {.sharpness = 0.5});
+  SimulationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}), simulator::Saw{.sharpness = 0.5});
   run.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 200);
   run.hold(5000);
   const HeatSummary& live = run.simulation().effects().heat().summary();

@@ -6,7 +6,9 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   using namespace hallux;
   try {
-    scenarios::parse_hand_motion(tests::text_of(bytes, size), "fuzz");
+    scenarios::parse_hand_motion(
+        tests::text_of(bytes, size), "fuzz",
+        {{"wide", simulator::Saw{}}, {"wire 1.4", simulator::WireDriver{}}});
   } catch (const scenarios::ScenarioError&) {
   }
   return 0;

@@ -20,14 +20,14 @@ nlohmann::json silver() { return nlohmann::json::parse(load_shipped_scenario("si
 
 TEST(SimulationSetup, HasTheSawOfTheScenario) {
   nlohmann::json scenario = silver();
-  EXPECT_EQ(setup_of(scenario).saw.cycles_per_minute, 12000.0);
-  EXPECT_EQ(setup_of(scenario).saw.sharpness, 1.0);
+  EXPECT_EQ(setup_of(scenario).tray.first_saw().cycles_per_minute, 12000.0);
+  EXPECT_EQ(setup_of(scenario).tray.first_saw().sharpness, 1.0);
   scenario["blade"]["sharpness"] = 0.6;
   scenario["blade"]["width_mm"] = 7.5;
   scenario["blade"]["thickness_mm"] = 0.3;
-  EXPECT_EQ(setup_of(scenario).saw.sharpness, 0.6);
-  EXPECT_EQ(setup_of(scenario).saw.blade.width_mm, 7.5);
-  EXPECT_EQ(setup_of(scenario).saw.blade.thickness_mm, 0.3);
+  EXPECT_EQ(setup_of(scenario).tray.first_saw().sharpness, 0.6);
+  EXPECT_EQ(setup_of(scenario).tray.first_saw().blade.width_mm, 7.5);
+  EXPECT_EQ(setup_of(scenario).tray.first_saw().blade.thickness_mm, 0.3);
 }
 
 TEST(SimulationSetup, HasTheQualityOfThePatientsBone) {

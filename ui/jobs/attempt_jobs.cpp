@@ -136,6 +136,10 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   assessment::Examination examination = score_attempt(material, progress);
   store_examination(desk, material, examination);
   outcome.card = std::move(examination.card);
+  if (attempt.asks_what_is_left) {
+    outcome.left = left_behind(material.scenario, examination.plan, material.bone,
+                               material.recording, progress("Looking at what is left"));
+  }
   return outcome;
 }
 

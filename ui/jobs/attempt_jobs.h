@@ -19,6 +19,7 @@
 #include "simulator/base/progress.h"
 #include "simulator/loop/attempt_loop.h"
 #include "simulator/loop/replay.h"
+#include "ui/jobs/left_behind.h"
 #include "ui/jobs/recording_quality.h"
 
 namespace hallux::ui {
@@ -52,6 +53,8 @@ struct ScriptedAttempt {
   std::optional<simulator::ForceLaw> arm_law;
   /// Nobody scripted: whoever holds the device; in real time.
   std::optional<HeldHand> held = std::nullopt;
+  /// Whether the outcome tells it.
+  bool asks_what_is_left = false;
 };
 
 /// The patient of a scenario.
@@ -80,6 +83,8 @@ struct AttemptOutcome {
   Quality quality;
   simulator::LoopStatistics loop;
   database::RecorderStatistics recorder;
+  /// Where it was asked for.
+  std::optional<LeftBehind> left = std::nullopt;
 };
 
 /// Makes the patient, runs the hand through loop and recorder, scores what was recorded. The

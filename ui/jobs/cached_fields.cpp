@@ -4,6 +4,7 @@
 
 #include "database/content/cached_bytes.h"
 #include "database/store/database_error.h"
+#include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/progress.h"
 #include "ui/jobs/files/byte_form.h"
 
@@ -55,10 +56,12 @@ Digest key_of(const AttemptMaterial& material) {
   digester.add_int(std::endian::native == std::endian::little ? 1 : 2);
   digester.add_int(material.header.begun.engine);
   digester.add_digest(material.header.begun.bone);
-  for (const double size :
-       {material.scenario.saw.blade.width_mm, material.scenario.saw.blade.depth_mm,
-        material.scenario.saw.blade.kerf_mm}) {
-    digester.add_double(size);
+  const simulator::Tray tray = scenarios::tray_of(material.scenario);
+  for (std::int32_t place = 0; place < tray.count(); ++place) {
+    const simulator::Saw* const saw = tray.saw(place);
+    if (saw == nullptr) continue;
+    for (const double size : {saw->blade.width_mm, saw->blade.depth_mm, saw->blade.kerf_mm})
+      digester.add_double(size);
   }
   digester.add_digest(digest_outputs(material.recording));
   return digester.finish();
@@ -111,18 +114,18 @@ std::optional<OpenedFields> fields_from(std::span<const std::byte> bytes) {
 OpenedFields fields_of(const AttemptMaterial& material, const std::filesystem::path& data_directory,
                        const Progress& progress) {
   const Digest key = key_of(material);
-  const simulator::Blade& blade = material.scenario.saw.blade;
+  const simulator::Tray tray = scenarios::tray_of(material.scenario);
   const RigidTransform& world_from_bone = material.bone.world_from_bone;
   if (const auto kept =
           database::load_cached(data_directory, cached_fields_name(material.header.id), key)) {
     std::optional<OpenedFields> fields = fields_from(*kept);
-    if (fields && assessment::are_of(*fields, blade, world_from_bone, material.recording)) {
+    if (fields && assessment::are_of(*fields, tray, world_from_bone, material.recording)) {
       report(progress, 1.0);
       return *std::move(fields);
     }
   }
   OpenedFields fields =
-      assessment::opened_fields(blade, world_from_bone, material.recording, progress);
+      assessment::opened_fields(tray, world_from_bone, material.recording, progress);
   keep(material, data_directory, key, fields);
   report(progress, 1.0);
   return fields;

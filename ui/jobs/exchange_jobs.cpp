@@ -4,9 +4,11 @@
 #include "database/exchange/read_exported.h"
 #include "database/store/fresh_directory.h"
 #include "scenarios/hidden_letters.h"
+#include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/progress.h"
 #include "simulator/mesh/mesh_error.h"
 #include "simulator/mesh/write_ply.h"
+#include "ui/jobs/left_behind_json.h"
 #include "ui/jobs/plan_file.h"
 
 namespace hallux::ui {
@@ -92,6 +94,28 @@ std::optional<scenarios::Plan> plan_if_it_fits(const scenarios::Scenario& scenar
   }
 }
 
+void add_solids(const assessment::RebuiltBone& rebuilt, std::string (*name_of)(std::size_t),
+                std::vector<database::DerivedFile>& files) {
+  for (std::size_t i = 0; i < rebuilt.pieces.size() && i < pieces_max; ++i)
+    files.push_back({name_of(i), simulator::ply_bytes(rebuilt.pieces[i].mesh)});
+}
+
+/// The pieces as they are scored, and how all bodies lie.
+void add_left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
+                     const simulator::Bone& bone, const simulator::Recording& recording,
+                     std::vector<database::DerivedFile>& files) {
+  const LeftBehind left = left_behind(scenario, plan, bone, recording);
+  const assessment::RebuiltBone scored =
+      assessment::rebuild(bone, scenarios::tray_of(scenario), recording, {}, nullptr, {},
+                          {scenarios::planned_bridges(plan)});
+  const bool are_pieces = left.rebuilt.pieces.size() == scored.pieces.size();
+  const auto name_of = are_pieces ? piece_file_name : body_file_name;
+  files.push_back({fragments_file_name, fragments_file(left, name_of)});
+  files.push_back({implants_file_name, implants_file(left)});
+  add_solids(scored, piece_file_name, files);
+  if (!are_pieces) add_solids(left.rebuilt, body_file_name, files);
+}
+
 }  // namespace
 
 std::vector<database::DerivedFile> files_made_from(const database::ExportMaterial& material) {
@@ -99,15 +123,14 @@ std::vector<database::DerivedFile> files_made_from(const database::ExportMateria
       scenarios::parse_scenario(material.scenario.json, material.scenario.name);
   const simulator::Bone bone = simulator::decode_bone(material.bone);
   std::vector<database::DerivedFile> files{{"bone.ply", simulator::ply_bytes(solid_of(bone))}};
-  if (const auto plan = plan_if_it_fits(scenario, bone)) {
-    files.push_back({plan_file_name, plan_file(scenario, bone, *plan)});
+  const auto plan = plan_if_it_fits(scenario, bone);
+  if (!plan) {
+    add_solids(assessment::rebuild(bone, scenarios::tray_of(scenario), material.recording),
+               piece_file_name, files);
+    return files;
   }
-  const assessment::RebuiltBone rebuilt =
-      assessment::rebuild(bone, scenario.saw.blade, material.recording);
-  for (std::size_t i = 0; i < rebuilt.pieces.size() && i < pieces_max; ++i) {
-    files.push_back(
-        {"piece-" + std::to_string(i + 1) + ".ply", simulator::ply_bytes(rebuilt.pieces[i].mesh)});
-  }
+  files.push_back({plan_file_name, plan_file(scenario, bone, *plan)});
+  add_left_behind(scenario, *plan, bone, material.recording, files);
   return files;
 }
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "simulator/base/units.h"
+#include "ui/jobs/geometry_json.h"
 
 namespace hallux::ui {
 
@@ -14,8 +15,6 @@ using scenarios::Plan;
 using scenarios::PlannedCut;
 using scenarios::PlannedHinge;
 using scenarios::Scenario;
-
-ordered_json vector_json(const Vec3& vector) { return {vector.x, vector.y, vector.z}; }
 
 /// As a scenario's file says it.
 const char* name_of(FaceKind kind) noexcept {
@@ -82,16 +81,6 @@ ordered_json joint_json(const scenarios::PlannedJointSurface& planned,
           {"radius_mm", surface.radius_mm},
           {"facing_in_bone", vector_json(surface.facing_in_bone)},
           {"within_deg", degree_from_radian(surface.within_rad)}};
-}
-
-/// Row by row; a point of the bone is a column of four, the last of them 1.
-ordered_json matrix_json(const RigidTransform& transform) {
-  const Vec3 x = axis_x(transform), y = axis_y(transform), z = axis_z(transform);
-  const Vec3& origin = transform.translation_mm;
-  return {{x.x, y.x, z.x, origin.x},
-          {x.y, y.y, z.y, origin.y},
-          {x.z, y.z, z.z, origin.z},
-          {0.0, 0.0, 0.0, 1.0}};
 }
 
 ordered_json blade_json(const simulator::Blade& blade) {

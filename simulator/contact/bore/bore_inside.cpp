@@ -2,7 +2,7 @@
 /// the way before, so that no wall is jumped however fast the hand is: freely as deep as the bore
 /// is open and where there is no bone, by the feed law where the tip's disc stands in some. What is
 /// left aside of the axis from before the bore was entered goes gently. A screw is led by its
-/// thread: in each turn at most its pitch, in a hole that is open as well.
+/// thread: in each turn at most its pitch, in a hole that is open as well, and back likewise.
 #include "simulator/contact/bore/bore_inside.h"
 
 #include <algorithm>
@@ -61,8 +61,7 @@ std::array<Vec3, bore_disc_points> disc_at(const Axis& axis, double way_mm,
 
 /// The tip's disc in mixed tissue: each point carries its share of the diameter.
 Engagement disc_engagement(const std::array<Vec3, bore_disc_points>& disc, double radius_mm,
-                           const DrilledTissue& bone,
-                           std::array<TissueMemory, bore_disc_points>& memory) noexcept {
+                           const DrilledWound& bone, DiscMemories& memory) noexcept {
   const double share_mm = 2.0 * radius_mm / static_cast<double>(bore_disc_points);
   Engagement engaged;
   for (std::size_t i = 0; i < disc.size(); ++i) {
@@ -76,7 +75,7 @@ Engagement disc_engagement(const std::array<Vec3, bore_disc_points>& disc, doubl
 /// One tick's way along the axis.
 class BoreWalk {
  public:
-  BoreWalk(BoreToolState& state, const BoreInput& input, const DrilledTissue& bone,
+  BoreWalk(BoreToolState& state, const BoreInput& input, const DrilledWound& bone,
            const ContactSettings& settings, BoreOutcome& outcome) noexcept
       : state_(state),
         tool_(input.tool),
@@ -114,6 +113,12 @@ class BoreWalk {
     return done_mm;
   }
 
+  /// Back by up to `wanted_mm`; how far it came. A screw is turned out by a driver that is pulled.
+  double backward(double wanted_mm, double travel_limit_mm) const noexcept {
+    const double most_mm = state_.is_threaded ? thread_way_mm(wanted_mm) : wanted_mm;
+    return std::min({wanted_mm, most_mm, travel_limit_mm});
+  }
+
   /// Whether the tip comes out at the far side by having gone `done_mm` to `way_mm`.
   bool breaks_through(double way_mm, double done_mm) noexcept {
     if (outcome_.engaged.width_mm() > 0.0) {
@@ -129,7 +134,7 @@ class BoreWalk {
   }
 
  private:
-  /// What a thread allows in this tick: nothing without a running driver that is pushed.
+  /// What a thread allows in this tick: nothing without a running driver that is pushed or pulled.
   double thread_way_mm(double wanted_mm) const noexcept {
     const double push_newton = settings_.coupling_newton_per_mm * wanted_mm;
     const bool is_driven = input_.drive_runs && push_newton >= screw_push_newton;
@@ -156,8 +161,8 @@ class BoreWalk {
   bool is_stopped(double at_mm, double step_mm) noexcept {
     if (input_.drive_runs && !input_.metal.empty()) {
       const auto tip = disc_at(axis_, at_mm + step_mm + probe_ahead_mm, tool_.radius_mm);
-      outcome_.met_metal = meets_metal(tip, input_.metal);
-      if (outcome_.met_metal) return true;
+      outcome_.metal = metal_at(tip, input_.metal);
+      if (outcome_.metal >= 0) return true;
     }
     if (!shoulder_stands(at_mm + step_mm - tool_.shaft_mm)) return false;
     outcome_.head_seated = tool_.is_screw();
@@ -173,13 +178,13 @@ class BoreWalk {
     return false;
   }
 
-  /// Asked of the body without its holes: an old one is no far side.
+  /// Asked as if there were no holes: an old one is no far side.
   bool is_clear_beyond(double way_mm) const noexcept {
     for (const Vec3& point : disc_at(axis_, way_mm, tool_.radius_mm)) {
-      if (bone_.bone.at(point) != Tissue::None) return false;
+      if (bone_.undrilled_at(point) != Tissue::None) return false;
     }
     for (double ahead_mm = beyond_step_mm; ahead_mm <= beyond_mm; ahead_mm += beyond_step_mm) {
-      if (bone_.bone.at(axis_.at(way_mm + ahead_mm)) != Tissue::None) return false;
+      if (bone_.undrilled_at(axis_.at(way_mm + ahead_mm)) != Tissue::None) return false;
     }
     return true;
   }
@@ -187,7 +192,7 @@ class BoreWalk {
   BoreToolState& state_;
   const BoreTool& tool_;
   const BoreInput& input_;
-  const DrilledTissue& bone_;
+  const DrilledWound& bone_;
   const ContactSettings& settings_;
   const Bore& bore_;
   Axis axis_;
@@ -197,10 +202,10 @@ class BoreWalk {
 };
 
 /// The tool's rotation along the bore's axis, turned about it as the hand is.
-Quat rotation_in_bore(const Bore& bore, const RigidTransform& body_from_handle,
-                      const RigidTransform& body_from_tool) noexcept {
+Quat rotation_in_bore(const Bore& bore, const RigidTransform& wound_from_handle,
+                      const RigidTransform& wound_from_tool) noexcept {
   const Vec3 axis = axis_x(bore.body_from_bore);
-  for (const RigidTransform* hint : {&body_from_handle, &body_from_tool}) {
+  for (const RigidTransform* hint : {&wound_from_handle, &wound_from_tool}) {
     const Vec3 y = axis_y(*hint);
     const double along = glm::dot(y, axis);
     if (1.0 - along * along > along_axis * along_axis) return rotation_from_axes(axis, y);
@@ -213,37 +218,41 @@ Quat rotation_in_bore(const Bore& bore, const RigidTransform& body_from_handle,
 RigidTransform pose_in_bore(const Bore& bore, const BoreToolState& tool, const BoreInput& input,
                             double way_mm, double travel_limit_mm) noexcept {
   const Vec3 axis = axis_x(bore.body_from_bore), origin_mm = bore.body_from_bore.translation_mm;
-  const Vec3 arm_mm = tool.body_from_tool.translation_mm - origin_mm;
+  const Vec3 arm_mm = tool.wound_from_tool.translation_mm - origin_mm;
   const Vec3 aside_mm = arm_mm - glm::dot(arm_mm, axis) * axis;
   const double apart_mm = length_of(aside_mm);
   const double kept = apart_mm > travel_limit_mm ? 1.0 - travel_limit_mm / apart_mm : 0.0;
-  const RigidTransform wanted{rotation_in_bore(bore, input.body_from_handle, tool.body_from_tool),
+  const RigidTransform wanted{rotation_in_bore(bore, input.wound_from_handle, tool.wound_from_tool),
                               origin_mm + way_mm * axis + kept * aside_mm};
-  const ProxyMotion turn = motion_between(tool.body_from_tool, wanted);
+  const ProxyMotion turn = motion_between(tool.wound_from_tool, wanted);
   const double turn_mm = shaft_reach_mm(input.tool) * length_of(turn.rotation_rad);
   const double share = turn_mm > travel_limit_mm ? travel_limit_mm / turn_mm : 1.0;
-  return {interpolate(tool.body_from_tool, wanted, share).rotation, wanted.translation_mm};
+  return {interpolate(tool.wound_from_tool, wanted, share).rotation, wanted.translation_mm};
 }
 
 }  // namespace
 
-void move_in_bore(BoreToolState& tool, const BoreInput& input, const RemainingTissue& bone,
+std::array<Vec3, bore_disc_points> tip_disc(const RigidTransform& wound_from_tool,
+                                            double radius_mm) noexcept {
+  return disc_at(Axis{wound_from_tool}, probe_ahead_mm, radius_mm);
+}
+
+void move_in_bore(BoreToolState& tool, const BoreInput& input, const DrilledWound& bone,
                   const ContactSettings& settings, double travel_limit_mm,
                   BoreOutcome& outcome) noexcept {
   const Bore& bore = input.bores[static_cast<std::size_t>(tool.bore)];
-  const DrilledTissue drilled{bone, input.holes};
-  const double way_mm = way_along(bore, tool.body_from_tool.translation_mm);
-  const double wanted_mm = way_along(bore, input.body_from_handle.translation_mm) - way_mm;
-  BoreWalk walk(tool, input, drilled, settings, outcome);
-  double done_mm = tool.is_threaded ? 0.0 : std::max(wanted_mm, -travel_limit_mm);
-  if (wanted_mm >= 0.0) done_mm = walk.forward(way_mm, wanted_mm, travel_limit_mm);
+  const double way_mm = way_along(bore, tool.wound_from_tool.translation_mm);
+  const double wanted_mm = way_along(bore, input.wound_from_handle.translation_mm) - way_mm;
+  BoreWalk walk(tool, input, bone, settings, outcome);
+  const double done_mm = wanted_mm >= 0.0 ? walk.forward(way_mm, wanted_mm, travel_limit_mm)
+                                          : -walk.backward(-wanted_mm, travel_limit_mm);
   const double reached_mm = way_mm + done_mm;
-  tool.body_from_tool = pose_in_bore(bore, tool, input, reached_mm, travel_limit_mm);
+  tool.wound_from_tool = pose_in_bore(bore, tool, input, reached_mm, travel_limit_mm);
 
   outcome.broke_through = walk.breaks_through(reached_mm, done_mm);
   if (outcome.broke_through) outcome.broke_at_newton = tool.bone_force_newton;
   if (input.tool.is_screw()) {
-    tool.is_threaded = tool.is_threaded || reached_mm > 0.0;
+    tool.is_threaded = reached_mm > 0.0;
     const bool is_pushed = settings.coupling_newton_per_mm * wanted_mm >= screw_push_newton;
     outcome.spins = input.drive_runs && is_pushed && !(done_mm > 0.0);
   }

@@ -8,7 +8,7 @@
 namespace hallux::simulator {
 
 /// Moves the tool along the bore's axis; through air and open bore by at most `travel_limit_mm`.
-void move_in_bore(BoreToolState& tool, const BoreInput& input, const RemainingTissue& bone,
+void move_in_bore(BoreToolState& tool, const BoreInput& input, const DrilledWound& bone,
                   const ContactSettings& settings, double travel_limit_mm,
                   BoreOutcome& outcome) noexcept;
 

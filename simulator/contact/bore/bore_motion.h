@@ -1,5 +1,6 @@
 /// How a tool with a point follows the hand: freely in air, held by bone at a touch, along its axis
-/// in a bore. Inside this corner only.
+/// in a bore.
+/// Inside this room only.
 ///
 ///     Free ------ the point meets bone -----> OnBone --- runs, steep, 0.3 mm deep ---> InBore
 ///      ^  <------ the point is clear again -----'                                        |
@@ -47,11 +48,14 @@ inline constexpr std::size_t bore_disc_points = 9;
 inline constexpr std::size_t bore_shaft_points = 8;
 inline constexpr std::size_t bore_shoulder_points = 8;
 
+using BallMemories = std::array<OfFragments<BallMemory>, 1 + bore_shaft_points>;
+using DiscMemories = std::array<OfFragments<TissueMemory>, bore_disc_points>;
+
 enum class BoreStage : std::int32_t { Free, OnBone, InBore };
 
 struct BoreToolState {
   BoreStage stage = BoreStage::Free;
-  RigidTransform body_from_tool;
+  RigidTransform wound_from_tool;
   /// In InBore: of the bores that the caller brings.
   std::int32_t bore = -1;
   /// In OnBone: how far the point went in, now and at most.
@@ -68,30 +72,30 @@ struct BoreToolState {
   double drawn_back_mm = 0.0;
   /// In InBore: along the axis, while the tip stood in bone last.
   double bone_force_newton = 0.0;
-  /// In InBore, of a screw: its thread holds, so that it is not drawn back.
+  /// In InBore, of a screw: its thread holds, so that it is turned back, not drawn.
   bool is_threaded = false;
   /// Of the last tick.
-  RigidTransform body_from_handle;
+  RigidTransform wound_from_handle;
   bool knows_handle = false;
   /// Of the point and of the shaft.
-  std::array<BallMemory, 1 + bore_shaft_points> balls{};
-  TissueMemory touch;
-  std::array<TissueMemory, bore_disc_points> disc{};
-  std::array<TissueMemory, bore_shoulder_points> shoulder{};
+  BallMemories balls{};
+  OfFragments<TissueMemory> touch{};
+  DiscMemories disc{};
+  std::array<OfFragments<TissueMemory>, bore_shoulder_points> shoulder{};
   ProxyLoad load;
 };
 
 struct BoreInput {
   /// The tool in the hand.
   const BoreTool& tool;
-  RigidTransform body_from_handle;
+  RigidTransform wound_from_handle;
   bool drive_runs = false;
   double duration_s = 0.001;
-  /// Open for this tool: none in which an implant stays.
+  /// In the wound's frame, open for this tool: none in which an implant stays.
   std::span<const Bore> bores = {};
-  /// What all bores of the body have opened, those of `bores` as well.
-  std::span<const Capsule> holes = {};
-  /// Implants in the way, but the one that leads this tool.
+  /// What all bores have opened, those of `bores` as well.
+  HolesOfFragments holes = {};
+  /// Implants in the way.
   std::span<const Capsule> metal = {};
 };
 
@@ -99,15 +103,17 @@ struct BoreOutcome {
   /// Before the advance: the tip's disc, with the diameter for the width.
   Engagement engaged;
   /// On the hand.
-  Vec3 force_in_body_newton{0.0, 0.0, 0.0};
+  Vec3 force_in_wound_newton{0.0, 0.0, 0.0};
   /// On the hand, about the tool's tip; none about the axis of a bore.
-  Vec3 torque_in_body_newton_mm{0.0, 0.0, 0.0};
+  Vec3 torque_in_wound_newton_mm{0.0, 0.0, 0.0};
   /// Through bone, along the axis; of a screw also through its pilot hole.
   double advance_mm = 0.0;
   /// Above 0: a touch ended without a bore.
   double scratch_mm = 0.0;
   /// Just before the break-through of this tick, along the axis.
   double broke_at_newton = 0.0;
+  /// Of `metal`, the implant that stops the running tool, or -1.
+  std::int32_t metal = -1;
   /// The bore that was found again in this tick, or -1. One narrower than the tool is not entered:
   /// the caller begins a wider one (widened) and enters that.
   std::int32_t found_bore = -1;
@@ -118,8 +124,6 @@ struct BoreOutcome {
   bool skids = false;
   /// The tip came out at the far side.
   bool broke_through = false;
-  /// An implant stops the running tool.
-  bool met_metal = false;
   /// A screw's head stands on the bone.
   bool head_seated = false;
   /// A chuck does.
@@ -134,12 +138,19 @@ struct BoreOutcome {
 /// needs   0 < duration_s <= 0.003; in InBore `bores` holds the tool's bore, its axis unchanged
 /// errors  none: total, allocates nothing
 /// thread  haptic
-BoreOutcome move_bore(BoreToolState& tool, const BoreInput& input, const RemainingTissue& bone,
+BoreOutcome move_bore(BoreToolState& tool, const BoreInput& input, const Wound& wound,
                       const ContactSettings& settings) noexcept;
 
 /// The bore that a tool at this pose finds again, the one with the nearest axis, or -1.
-std::int32_t find_bore_to_join(const RigidTransform& body_from_tool,
+std::int32_t find_bore_to_join(const RigidTransform& wound_from_tool,
                                std::span<const Bore> bores) noexcept;
+
+/// The tip's disc, a little ahead of it.
+std::array<Vec3, bore_disc_points> tip_disc(const RigidTransform& wound_from_tool,
+                                            double radius_mm) noexcept;
+/// Whether any of the shaft lies within a fragment's outer surface as it was before its kerfs.
+bool shaft_is_in_bone(const RigidTransform& wound_from_tool, const BoreTool& tool,
+                      const Wound& wound) noexcept;
 
 /// Holds the tool to a bore's axis from now on; it comes there gently.
 void enter_bore(BoreToolState& tool, std::int32_t bore) noexcept;

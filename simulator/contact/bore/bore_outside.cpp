@@ -46,16 +46,16 @@ constexpr std::size_t contact_point(std::size_t index) noexcept {
   return index == 0 ? 0 : contact_tooth_count + index - 1;
 }
 
-BladeContacts find_ball_contacts(const RigidTransform& body_from_tool, const BoreTool& tool,
-                                 const DrilledTissue& bone, double margin_mm,
-                                 std::array<BallMemory, 1 + bore_shaft_points>& memory) noexcept {
+BladeContacts find_ball_contacts(const RigidTransform& wound_from_tool, const BoreTool& tool,
+                                 const DrilledWound& bone, double margin_mm,
+                                 BallMemories& memory) noexcept {
   BladeContacts contacts;
-  const Vec3 ahead = axis_x(body_from_tool);
+  const Vec3 ahead = axis_x(wound_from_tool);
   for (std::size_t i = 0; i < memory.size(); ++i) {
     const BackBall ball = ball_of(i, tool);
     const Vec3 arm_mm = -ball.back_mm * ahead;
     const double within_mm = ball.radius_mm + margin_mm;
-    const auto near = bone.near_ball({body_from_tool.translation_mm + arm_mm, tool.radius_mm},
+    const auto near = bone.near_ball({wound_from_tool.translation_mm + arm_mm, tool.radius_mm},
                                      within_mm, memory[i]);
     if (!near || near->height_mm > within_mm) continue;
     contacts.list[contacts.count++] = {contact_point(i), arm_mm - ball.radius_mm * near->normal,
@@ -109,22 +109,22 @@ void lead_out(BoreToolState& tool, const BladeContacts& contacts) noexcept {
   const BladeContact& tip = contacts.list[0];
   const double excess_mm = -tip.gap_mm - bored_mm(tool);
   if (excess_mm > 0.0)
-    tool.body_from_tool.translation_mm += std::min(walk_part_mm, excess_mm) * tip.normal;
+    tool.wound_from_tool.translation_mm += std::min(walk_part_mm, excess_mm) * tip.normal;
 }
 
-Walk walk(BoreToolState& tool, const BoreInput& input, const DrilledTissue& bone,
+Walk walk(BoreToolState& tool, const BoreInput& input, const DrilledWound& bone,
           const ContactSettings& settings, double travel_limit_mm) noexcept {
   const double grip_mm =
       std::sqrt(settings.torsion_newton_mm_per_rad / settings.coupling_newton_per_mm);
   return walk_towards(
-      tool.body_from_tool, input.body_from_handle, shaft_reach_mm(input.tool), travel_limit_mm,
+      tool.wound_from_tool, input.wound_from_handle, shaft_reach_mm(input.tool), travel_limit_mm,
       [&](const RigidTransform& pose, double look_mm) {
         BladeContacts contacts = find_ball_contacts(pose, input.tool, bone, look_mm, tool.balls);
         keep_touched_surface(tool, contacts);
         return contacts;
       },
       [&](const ProxyMotion& wanted, const BladeContacts& contacts) {
-        const Vec3 ahead = axis_x(tool.body_from_tool);
+        const Vec3 ahead = axis_x(tool.wound_from_tool);
         return solve_proxy(wanted, contacts.all(), grip_mm,
                            friction_of(contacts, input, ahead, settings), tool.load);
       });
@@ -132,12 +132,13 @@ Walk walk(BoreToolState& tool, const BoreInput& input, const DrilledTissue& bone
 
 /// What the tip stands on: below its own place, or right behind the surface that it touches.
 Engagement engaged_at(const BladeContact& tip, BoreToolState& tool, const BoreInput& input,
-                      const DrilledTissue& bone) noexcept {
-  const Vec3 tip_mm = tool.body_from_tool.translation_mm;
+                      const DrilledWound& bone) noexcept {
+  const Vec3 tip_mm = tool.wound_from_tool.translation_mm;
   const Vec3 touched_mm = tip_mm + tip.arm_mm - (std::max(0.0, tip.gap_mm) + probe_mm) * tip.normal;
-  // Of the body without its holes: a narrower one bears the tool on its rim.
-  const Tissue tissue = std::max(bone.bone.at(touched_mm, tool.touch),
-                                 bone.at(tip_mm + probe_mm * axis_x(tool.body_from_tool)));
+  const HolesOfFragments none;
+  // As if there were no holes: a narrower one bears the tool on its rim.
+  const Tissue tissue = std::max(DrilledWound{bone.wound, none}.at(touched_mm, tool.touch),
+                                 bone.at(tip_mm + probe_mm * axis_x(tool.wound_from_tool)));
   Engagement engaged;
   const double width_mm = 2.0 * input.tool.radius_mm;
   if (tissue == Tissue::Cortical) engaged.cortical_mm = width_mm;
@@ -148,10 +149,10 @@ Engagement engaged_at(const BladeContact& tip, BoreToolState& tool, const BoreIn
 /// A running point advances by the feed law of what it alone bears along its axis.
 double feed_touch(BoreToolState& tool, const BoreInput& input, const Walk& walked,
                   const ContactSettings& settings, BoreOutcome& outcome) noexcept {
-  const Vec3 ahead = axis_x(tool.body_from_tool);
-  const Vec3 tip_mm = tool.body_from_tool.translation_mm + probe_mm * ahead;
-  outcome.met_metal = meets_metal({&tip_mm, 1}, input.metal);
-  if (outcome.met_metal) return 0.0;
+  const Vec3 ahead = axis_x(tool.wound_from_tool);
+  const Vec3 tip_mm = tool.wound_from_tool.translation_mm + probe_mm * ahead;
+  outcome.metal = metal_at({&tip_mm, 1}, input.metal);
+  if (outcome.metal >= 0) return 0.0;
   const double force_newton =
       std::min(settings.force_limit_newton,
                -settings.coupling_newton_per_mm * glm::dot(walked.proxy.tooth_mm, ahead));
@@ -161,7 +162,7 @@ double feed_touch(BoreToolState& tool, const BoreInput& input, const Walk& walke
   if (input.tool.is_screw())
     most_mm = std::min(most_mm, input.tool.pitch_mm * input.tool.turns_per_s * input.duration_s);
   const double fed_mm = room_ahead_mm(walked.contacts, ahead, most_mm);
-  tool.body_from_tool.translation_mm += fed_mm * ahead;
+  tool.wound_from_tool.translation_mm += fed_mm * ahead;
   outcome.advance_mm = fed_mm;
   return fed_mm;
 }
@@ -196,19 +197,18 @@ double shaft_reach_mm(const BoreTool& tool) noexcept {
   return std::min(shaft_end_mm, tool.shaft_mm);
 }
 
-void move_outside_bore(BoreToolState& tool, const BoreInput& input, const RemainingTissue& bone,
+void move_outside_bore(BoreToolState& tool, const BoreInput& input, const DrilledWound& bone,
                        const ContactSettings& settings, double travel_limit_mm,
                        BoreOutcome& outcome) noexcept {
-  const DrilledTissue drilled{bone, input.holes};
-  const Walk walked = walk(tool, input, drilled, settings, travel_limit_mm);
+  const Walk walked = walk(tool, input, bone, settings, travel_limit_mm);
   lead_out(tool, walked.contacts);
   const BladeContact* tip = tip_contact(walked.contacts);
   if (tip != nullptr) {
-    outcome.engaged = engaged_at(*tip, tool, input, drilled);
-    outcome.skids = input.drive_runs && is_flat(*tip, axis_x(tool.body_from_tool));
+    outcome.engaged = engaged_at(*tip, tool, input, bone);
+    outcome.skids = input.drive_runs && is_flat(*tip, axis_x(tool.wound_from_tool));
   }
   const bool is_pushed = walked.proxy.normal_mm > 0.0 || tool.stage == BoreStage::OnBone;
-  const ProxyMotion left = motion_between(tool.body_from_tool, input.body_from_handle);
+  const ProxyMotion left = motion_between(tool.wound_from_tool, input.wound_from_handle);
   const bool is_stretched = reach_of(left, shaft_reach_mm(input.tool)) > slack_mm;
   tool.is_held = is_pushed || (tool.is_held && is_stretched);
   if (tool.stage == BoreStage::OnBone) {

@@ -9,7 +9,7 @@
 namespace hallux::simulator {
 
 /// Moves the tool by at most `travel_limit_mm`. In OnBone a running point is fed into the bone.
-void move_outside_bore(BoreToolState& tool, const BoreInput& input, const RemainingTissue& bone,
+void move_outside_bore(BoreToolState& tool, const BoreInput& input, const DrilledWound& bone,
                        const ContactSettings& settings, double travel_limit_mm,
                        BoreOutcome& outcome) noexcept;
 

@@ -37,4 +37,11 @@ BoreTool bore_tool(const Screwdriver& driver) noexcept {
           .bores = driver.screw.is_self_drilling};
 }
 
+std::optional<BoreTool> bore_tool(const Tool& tool) noexcept {
+  if (const auto* driver = std::get_if<WireDriver>(&tool)) return bore_tool(*driver);
+  if (const auto* drill = std::get_if<Drill>(&tool)) return bore_tool(*drill);
+  if (const auto* driver = std::get_if<Screwdriver>(&tool)) return bore_tool(*driver);
+  return std::nullopt;
+}
+
 }  // namespace hallux::simulator

@@ -1,5 +1,5 @@
 /// A tool with a point, as the rules of contact see it: wire, drill and screw alike.
-/// Inside this corner only.
+/// Inside this room only.
 ///
 ///     shoulder                                    tip
 ///      |
@@ -8,9 +8,12 @@
 ///       <------------- shaft_mm ------------>
 #pragma once
 
+#include <optional>
+
 #include "simulator/contact/feed.h"
 #include "simulator/tool/drill.h"
 #include "simulator/tool/screw.h"
+#include "simulator/tool/tray.h"
 #include "simulator/tool/wire.h"
 
 namespace hallux::simulator {
@@ -43,5 +46,7 @@ BoreTool bore_tool(const Drill& drill) noexcept;
 /// A screw cuts as a drill of its shaft's thickness at the rated speed: its thread, not its drive,
 /// says how fast it may go.
 BoreTool bore_tool(const Screwdriver& driver) noexcept;
+/// Nothing of a saw.
+std::optional<BoreTool> bore_tool(const Tool& tool) noexcept;
 
 }  // namespace hallux::simulator

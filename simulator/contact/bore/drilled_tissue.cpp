@@ -61,7 +61,7 @@ Tissue DrilledTissue::at(const Vec3& point_in_body_mm) const noexcept {
 
 std::optional<BallSurface> DrilledTissue::near_ball(const ToolBall& ball, double within_mm,
                                                     BallMemory& memory) const noexcept {
-  const Vec3& centre_mm = ball.centre_in_body_mm;
+  const Vec3& centre_mm = ball.centre_mm;
   SurfaceMemory& known = memory.surface;
   const double moved_mm = length_of(centre_mm - known.asked_mm);
   if (known.is_known && known.clearance_mm - moved_mm > within_mm) return std::nullopt;
@@ -82,6 +82,64 @@ std::optional<BallSurface> DrilledTissue::near_ball(const ToolBall& ball, double
   const NearHole mouth = nearest_hole(holes, found->point_in_bone_mm, ball.needs_mm);
   if (mouth.distance_mm < 0.0) return std::nullopt;
   return surface_at(*found, centre_mm, 1.0);
+}
+
+Tissue DrilledWound::at(const Vec3& point_in_wound_mm,
+                        OfFragments<TissueMemory>& memory) const noexcept {
+  Tissue hardest = Tissue::None;
+  wound.visit_near(point_in_wound_mm, 0.0, [&](std::int32_t number, const WoundFragment& standing) {
+    hardest = std::max(hardest, drilled(number, standing)
+                                    .at(standing.point_from(point_in_wound_mm),
+                                        memory[static_cast<std::size_t>(number)]));
+  });
+  return hardest;
+}
+
+Tissue DrilledWound::at(const Vec3& point_in_wound_mm) const noexcept {
+  OfFragments<TissueMemory> nothing;
+  return at(point_in_wound_mm, nothing);
+}
+
+Tissue DrilledWound::undrilled_at(const Vec3& point_in_wound_mm) const noexcept {
+  const HolesOfFragments none;
+  return DrilledWound{wound, none}.at(point_in_wound_mm);
+}
+
+std::optional<BallSurface> DrilledWound::near_ball(const ToolBall& ball, double within_mm,
+                                                   OfFragments<BallMemory>& memory) const noexcept {
+  std::optional<BallSurface> nearest;
+  const auto ask = [&](std::int32_t number, const WoundFragment& standing) {
+    const ToolBall asked{standing.point_from(ball.centre_mm), ball.needs_mm};
+    std::optional<BallSurface> found =
+        drilled(number, standing)
+            .near_ball(asked, within_mm, memory[static_cast<std::size_t>(number)]);
+    if (!found || (nearest && nearest->height_mm <= found->height_mm)) return;
+    if (standing.is_moved)
+      found->normal = transform_direction(standing.wound_from_fragment, found->normal);
+    nearest = found;
+  };
+  wound.visit_near(ball.centre_mm, within_mm, ask);
+  return nearest;
+}
+
+bool DrilledWound::is_in_hole(const Vec3& point_in_wound_mm) const noexcept {
+  bool is_in = false;
+  wound.visit_near(point_in_wound_mm, 0.0, [&](std::int32_t number, const WoundFragment& standing) {
+    is_in = is_in || is_in_capsule(holes[static_cast<std::size_t>(number)],
+                                   standing.point_from(point_in_wound_mm));
+  });
+  return is_in;
+}
+
+std::int32_t DrilledWound::points_in_bone_of(
+    std::int32_t number, std::span<const Vec3> points_in_wound_mm) const noexcept {
+  const WoundFragment& standing = *wound.fragment(number);
+  const DrilledTissue tissue = drilled(number, standing);
+  std::int32_t count = 0;
+  for (const Vec3& point : points_in_wound_mm) {
+    if (is_bone(tissue.at(standing.point_from(point)))) ++count;
+  }
+  return count;
 }
 
 }  // namespace hallux::simulator

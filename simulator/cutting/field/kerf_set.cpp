@@ -4,8 +4,9 @@
 
 namespace hallux::simulator {
 
-KerfSet::KerfSet(const Blade& blade, const FragmentPoses& fragments, const FieldGrid& grid)
-    : blade_(blade),
+KerfSet::KerfSet(const Tray& tray, const FragmentPoses& fragments, const FieldGrid& grid)
+    : tray_(tray),
+      blade_(tray.first_saw().blade),
       fragments_(fragments),
       planes_(index(kerf_limit)),
       kerf_from_bone_(index(kerf_limit)),
@@ -20,6 +21,8 @@ bool KerfSet::apply(const CutEvent& event) noexcept {
     case CutEventKind::PlaneFrozen:
       return event.subject == count_ && event.value >= 0 && event.value < fragments_.count() &&
              freeze(event.pose, static_cast<std::int32_t>(event.value)) >= 0;
+    case CutEventKind::ToolChosen:
+      return choose(event.subject);
     case CutEventKind::FragmentParted:
       if (!fragments_.apply(event)) return false;
       // Both sides are new solids: what the kerfs opened is in their surfaces.
@@ -33,6 +36,13 @@ bool KerfSet::apply(const CutEvent& event) noexcept {
     default:
       return fragments_.apply(event);
   }
+}
+
+bool KerfSet::choose(std::int32_t tool) noexcept {
+  if (!tray_.has(tool)) return false;
+  tool_ = tool;
+  if (const Saw* const saw = tray_.saw(tool)) blade_ = saw->blade;
+  return true;
 }
 
 std::int32_t KerfSet::freeze(const QuantisedPose& fragment_from_tool,

@@ -19,6 +19,7 @@
 #include "simulator/cutting/field/kerf.h"
 #include "simulator/record/fragment_poses.h"
 #include "simulator/record/record.h"
+#include "simulator/tool/tray.h"
 
 namespace hallux::simulator {
 
@@ -75,13 +76,18 @@ struct RisenKerf {
 class KerfSet {
  public:
   /// Takes all its memory here; what no blade comes near is never touched.
-  KerfSet(const Blade& blade, const RigidTransform& world_from_bone, const FieldGrid& grid = {})
-      : KerfSet(blade, FragmentPoses(world_from_bone), grid) {}
-  KerfSet(const Blade& blade, const FragmentPoses& fragments, const FieldGrid& grid = {});
+  /// tray  with the blades that may be chosen
+  KerfSet(const Tray& tray, const RigidTransform& world_from_bone, const FieldGrid& grid = {})
+      : KerfSet(tray, FragmentPoses(world_from_bone), grid) {}
+  KerfSet(const Tray& tray, const FragmentPoses& fragments, const FieldGrid& grid = {});
 
   std::int32_t count() const noexcept { return count_; }
   const KerfPlane& plane(std::int32_t kerf) const noexcept { return planes_[index(kerf)]; }
   const KerfField& field(std::int32_t kerf) const noexcept { return fields_[index(kerf)]; }
+  const Tray& tray() const noexcept { return tray_; }
+  /// In the hand: its place on the tray.
+  std::int32_t tool() const noexcept { return tool_; }
+  /// In the hand, or last in it.
   const Blade& blade() const noexcept { return blade_; }
   const RigidTransform& kerf_from_bone(std::int32_t kerf) const noexcept {
     return kerf_from_bone_[index(kerf)];
@@ -94,9 +100,10 @@ class KerfSet {
   }
   const FragmentPoses& fragments() const noexcept { return fragments_; }
 
-  /// Follows the events: planes, fragments and where they lie; others change nothing.
+  /// Follows the events: planes, fragments and where they lie, the blade in the hand; others change
+  /// nothing.
   /// errors  false where it names a kerf that is not the next, or one beyond the limit, or a
-  ///         fragment that there is not; nothing changed then
+  ///         fragment or a tool that there is not; nothing changed then
   /// thread  haptic; allocates nothing
   bool apply(const CutEvent& event) noexcept;
   /// Freezes the next kerf to the recorded pose of the tool; its number, or -1 where the limit is
@@ -138,9 +145,11 @@ class KerfSet {
   static std::size_t index(std::int32_t number) noexcept {
     return static_cast<std::size_t>(number);
   }
+  bool choose(std::int32_t tool) noexcept;
   void part_cuts(std::int32_t fragment) noexcept;
   void stamp(std::int32_t kerf, const RigidTransform& world_from_tool, bool goes_on) noexcept;
 
+  Tray tray_;
   Blade blade_;
   FragmentPoses fragments_;
   std::vector<KerfPlane> planes_;
@@ -153,6 +162,7 @@ class KerfSet {
   std::unique_ptr<TilePool> pool_;
   std::vector<KerfField> fields_;
   std::int32_t count_ = 0;
+  std::int32_t tool_ = 0;
   std::int32_t last_kerf_ = -1;
   std::array<PlanarPose, static_cast<std::size_t>(kerf_limit)> last_poses_{};
   /// That last_poses_ are of the sample before.

@@ -4,6 +4,13 @@
 
 namespace hallux::simulator {
 
+namespace {
+
+/// Axes this near to each other are one: more than what a pose is rounded by over the longest wire.
+constexpr double same_axis_sine = 1.0e-4, same_axis_mm = 0.02;
+
+}  // namespace
+
 Bore begin_bore(const RigidTransform& body_from_tool, double touch_depth_mm,
                 double radius_mm) noexcept {
   RigidTransform body_from_bore = body_from_tool;
@@ -17,6 +24,14 @@ Bore widened(const Bore& bore, double radius_mm) noexcept {
 
 void open_bore(Bore& bore, const RigidTransform& body_from_tool) noexcept {
   bore.depth_mm = std::max(bore.depth_mm, way_along(bore, body_from_tool.translation_mm));
+}
+
+bool is_along(const RigidTransform& axis, const RigidTransform& other) noexcept {
+  const Vec3 x = axis_x(axis);
+  if (glm::dot(x, axis_x(other)) <= 0.0) return false;
+  const Vec3 arm = other.translation_mm - axis.translation_mm;
+  return length_of(glm::cross(x, axis_x(other))) <= same_axis_sine &&
+         length_of(arm - glm::dot(arm, x) * x) <= same_axis_mm;
 }
 
 double way_along(const Bore& bore, const Vec3& point_in_body_mm) noexcept {

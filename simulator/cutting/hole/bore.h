@@ -33,6 +33,8 @@ Bore widened(const Bore& bore, double radius_mm) noexcept;
 /// Opens the bore to the tip; a tip that lies less deep changes nothing.
 void open_bore(Bore& bore, const RigidTransform& body_from_tool) noexcept;
 
+/// Whether two axes are one, more or less by what poses are rounded by; x of each, the same way.
+bool is_along(const RigidTransform& axis, const RigidTransform& other) noexcept;
 /// The way of a point along the bore's axis [mm].
 double way_along(const Bore& bore, const Vec3& point_in_body_mm) noexcept;
 /// What it has opened: from one radius before the skin to where the tip was deepest.

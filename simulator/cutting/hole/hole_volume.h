@@ -1,4 +1,4 @@
-/// The bone that holes take out of a solid, with a proven bound. Inside this corner only.
+/// The bone that holes take out of a solid, with a proven bound.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 /// How an implant's tip lies to bone and joint: how far it stands out of the far skin, and how near
-/// it comes to a joint surface. Inside this corner only.
+/// it comes to a joint surface.
 #pragma once
 
 #include <optional>

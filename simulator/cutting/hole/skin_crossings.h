@@ -1,5 +1,5 @@
 /// Where a straight line crosses a bone's skin, and the parts of it within the bone: the cortices
-/// that a wire or a screw holds in. Inside this corner only.
+/// that a wire or a screw holds in.
 ///
 /// Asked of the outer skin alone: the canal is a void within the bone, no cortex. Through an edge
 /// or a corner of the mesh a line passes exactly once; a skin that is touched and not entered is

@@ -18,9 +18,13 @@ constexpr const char* two_keys = R"({"keys": [
    "saw": true}
 ]})";
 
+std::vector<LaidOutTool> tools() {
+  return {{"wide", simulator::Saw{}}, {"wire 1.4", simulator::WireDriver{}}};
+}
+
 std::string refusal_of(std::string_view json) {
   try {
-    parse_hand_motion(json, "my_hand.json");
+    parse_hand_motion(json, "my_hand.json", tools());
   } catch (const ScenarioError& error) {
     return error.what();
   }
@@ -51,7 +55,7 @@ void expect_near(const Vec3& a, const Vec3& b) {
 }
 
 TEST(HandFile, GivesTheKeysAtTheNearestTicks) {
-  const simulator::HandMotion motion = parse_hand_motion(two_keys, "my_hand.json");
+  const simulator::HandMotion motion = parse_hand_motion(two_keys, "my_hand.json", tools());
   ASSERT_EQ(motion.keys.size(), 2U);
   EXPECT_EQ(motion.keys[0].tick, 1);
   EXPECT_EQ(motion.keys[1].tick, 1250);
@@ -60,7 +64,7 @@ TEST(HandFile, GivesTheKeysAtTheNearestTicks) {
 }
 
 TEST(HandFile, PointsTheBladeAlongItsDirectionAndSquaresTheNormalToIt) {
-  const simulator::HandMotion motion = parse_hand_motion(two_keys, "my_hand.json");
+  const simulator::HandMotion motion = parse_hand_motion(two_keys, "my_hand.json", tools());
   for (const simulator::HandKey& key : motion.keys) {
     expect_near(transform_direction(key.world_from_handle, Vec3(1.0, 0.0, 0.0)),
                 Vec3(0.0, -1.0, 0.0));
@@ -71,7 +75,7 @@ TEST(HandFile, PointsTheBladeAlongItsDirectionAndSquaresTheNormalToIt) {
 }
 
 TEST(HandFile, StartsAtItsFirstKeyAndTakesThePieceOutAtItsLast) {
-  const simulator::HandMotion motion = parse_hand_motion(two_keys, "my_hand.json");
+  const simulator::HandMotion motion = parse_hand_motion(two_keys, "my_hand.json", tools());
   ASSERT_EQ(motion.commands.size(), 3U);
   EXPECT_EQ(motion.commands[0].command.kind, simulator::CommandKind::Start);
   EXPECT_EQ(motion.commands[0].tick, 1);
@@ -154,7 +158,7 @@ TEST(HandFile, SaysCommandsAtTheirTimes) {
               {"time_s": 0.3, "do": "release"}, {"time_s": 0.4, "do": "take_out"},
               {"time_s": 0.5, "do": "close_hinge", "hinge": 1},
               {"time_s": 0.6, "do": "step_done", "step": 3})"),
-      "my_hand.json");
+      "my_hand.json", tools());
   using simulator::CommandKind;
   const std::vector<simulator::HandCommand> expected{
       {1, {CommandKind::Start, 0, 0}},
@@ -173,7 +177,7 @@ TEST(HandFile, SaysCommandsAtTheirTimes) {
 }
 
 TEST(HandFile, TakesOutNothingByItselfWhereItSaysCommands) {
-  EXPECT_EQ(parse_hand_motion(said(""), "my_hand.json").commands.size(), 2U);
+  EXPECT_EQ(parse_hand_motion(said(""), "my_hand.json", tools()).commands.size(), 2U);
 }
 
 TEST(HandFile, RefusesCommandsThatCannotBeCarriedOut) {
@@ -192,11 +196,72 @@ TEST(HandFile, RefusesCommandsThatCannotBeCarriedOut) {
                  {": commands[0].piece", "from 1 to"});
 }
 
+/// Two keys, and these fields beside them.
+std::string with(const std::string& fields) {
+  std::string file = two_keys;
+  file.insert(file.rfind('}'), ", " + fields);
+  return file;
+}
+
+void expect_commands(const std::string& file, const std::vector<simulator::HandCommand>& expected) {
+  const simulator::HandMotion motion = parse_hand_motion(file, "my_hand.json", tools());
+  ASSERT_EQ(motion.commands.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_EQ(motion.commands[i].tick, expected[i].tick) << i;
+    EXPECT_EQ(motion.commands[i].command, expected[i].command) << i;
+  }
+}
+
+TEST(HandFile, ChoosesToolsByName) {
+  using simulator::CommandKind;
+  expect_commands(with(R"("tool": "wire 1.4", "commands": [
+                       {"time_s": 0.2, "do": "leave"}, {"time_s": 0.3, "do": "take", "implant": 0},
+                       {"time_s": 0.4, "do": "choose", "tool": "wide"}])"),
+                  {{1, {CommandKind::Start, 0, 0}},
+                   {1, {CommandKind::ChooseTool, 1, 0}},
+                   {200, {CommandKind::LeaveImplant, 0, 0}},
+                   {300, {CommandKind::TakeImplant, 0, 0}},
+                   {400, {CommandKind::ChooseTool, 0, 0}},
+                   {1251, {CommandKind::Finish, 0, 0}}});
+  expect_commands(file_of(key_with("saw", R"(true, "tool": "wire 1.4")")),
+                  {{1000, {CommandKind::Start, 0, 0}},
+                   {1000, {CommandKind::ChooseTool, 1, 0}},
+                   {1000, {CommandKind::PickUp, 1, 0}},
+                   {1001, {CommandKind::Finish, 0, 0}}});
+  expect_refusal(with(R"("tool": "wire 9")"), {": tool", "wide, wire 1.4"});
+  expect_refusal(file_of(key_with("saw", R"(true, "tool": "axe")")), {": keys[0].tool", "wide"});
+  expect_refusal(said(R"({"time_s": 0.1, "do": "choose"})"), {": commands[0]", "tool"});
+  expect_refusal(said(R"({"time_s": 0.1, "do": "take", "implant": 24})"),
+                 {": commands[0].implant", "from 0 to"});
+}
+
+TEST(HandFile, HoldsPiecesByGrips) {
+  using simulator::CommandKind;
+  expect_commands(with(R"("grips": [{"from_s": 0.1, "to_s": 0.4, "piece": 2, "impact_s": 0.3},
+                       {"from_s": 0.5, "to_s": 0.6}],
+                       "commands": [{"time_s": 0.45, "do": "take_out", "piece": 2}])"),
+                  {{1, {CommandKind::Start, 0, 0}},
+                   {100, {CommandKind::Grip, 2, 0}},
+                   {300, {CommandKind::Impact, 0, 0}},
+                   {400, {CommandKind::Release, 0, 0}},
+                   {450, {CommandKind::PickUp, 2, 0}},
+                   {500, {CommandKind::Grip, simulator::piece_freed_last, 0}},
+                   {600, {CommandKind::Release, 0, 0}},
+                   {1251, {CommandKind::Finish, 0, 0}}});
+  expect_refusal(with(R"("grips": [{"from_s": 0.4, "to_s": 0.1}])"), {": grips[0].to_s", "grow"});
+  expect_refusal(with(R"("grips": [{"from_s": 0.1, "to_s": 0.4, "impact_s": 0.5}])"),
+                 {": grips[0].to_s", "grow"});
+  expect_refusal(with(R"("grips": [{"from_s": 0.1, "to_s": 9}])"), {": grips[0].to_s", "last"});
+  expect_refusal(with(R"("grips": [], "commands": [{"time_s": 0.1, "do": "grip"}])"),
+                 {": commands[0].do", "leave grips out"});
+}
+
 TEST(HandFile, GivesFinitePosesOrNone) {
   for (const std::string direction : {"[1e200, 0, 0]", "[1e-200, 0, 0]", "[1e308, 1e308, 0]"}) {
     const std::string file = file_of(key_with("direction", direction));
     if (!refusal_of(file).empty()) continue;
-    const Quat rotation = parse_hand_motion(file, "far").keys.at(0).world_from_handle.rotation;
+    const Quat rotation =
+        parse_hand_motion(file, "far", tools()).keys.at(0).world_from_handle.rotation;
     EXPECT_NEAR(glm::dot(rotation, rotation), 1.0, rounding) << direction;
   }
 }

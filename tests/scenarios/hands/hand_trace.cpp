@@ -90,7 +90,7 @@ HandTrace trace_hand(const scenarios::Scenario& scenario, const simulator::Bone&
   const simulator::SimulationSetup setup =
       simulation_setup(scenario, bone, plan, simulator::Guidance::None);
   Simulation simulation(tissue, setup);
-  simulator::ImmediateJobs jobs(bone, setup.saw.blade, setup.bridges);
+  simulator::ImmediateJobs jobs(bone, setup.tray, setup.bridges);
   const scenarios::AimedCut& aimed = hand.cuts().at(0);
   Tracer tracer(inverse(bone.world_from_bone * aimed.plane.bone_from_kerf), aimed.region);
   for (const simulator::TapeLine& line : recording.tape) {

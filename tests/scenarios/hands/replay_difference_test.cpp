@@ -90,7 +90,9 @@ TEST_F(ReplayDifference, OfOneConstantBeginsWhereItFirstMatters) {
 
 TEST_F(ReplayDifference, OfTheSawsRateBeginsWithTheCut) {
   simulator::SimulationSetup altered = setup();
-  altered.saw.cycles_per_minute += 1.0;
+  simulator::Saw saw = altered.tray.first_saw();
+  saw.cycles_per_minute += 1.0;
+  altered.tray = saw;
   const simulator::ReplayResult result = replay(recording_, altered);
   EXPECT_FALSE(result.is_identical);
   EXPECT_GE(result.first_difference_tick, first_tick(ToolStatus::InContact));

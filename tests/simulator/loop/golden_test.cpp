@@ -84,7 +84,7 @@ TEST(Golden, AGuidedHandWithADullBladeThatKicksInSoftBoneGivesTheCommittedHashes
   const HandMotion motion = catching_motion(bone);
   ContactSettings contact{.bone_quality = 0.8};
   contact.guide = {Guidance::Slot, {GuidePlane{Vec3(1.0, 0.0, 0.0), 3.0}}};
-  const AttemptSetup setup{.simulation = {bone, {.sharpness = 0.5}, contact},
+  const AttemptSetup setup{.simulation = {bone, Saw{.sharpness = 0.5}, contact},
                            .commands = motion.commands,
                            .last_tick = motion.last_tick()};
   ScriptedDevice device(motion);

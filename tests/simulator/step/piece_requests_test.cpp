@@ -2,50 +2,88 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace hallux::simulator {
 namespace {
 
-constexpr BladePassage cutting{.kerf_before = 0, .kerf_after = 0, .has_opened = true};
+KerfNumbers kerfs(std::initializer_list<std::int32_t> numbers) {
+  KerfNumbers all;
+  for (const std::int32_t number : numbers) all.add(number);
+  return all;
+}
+
 constexpr BladePassage leaving{.kerf_before = 0, .kerf_after = -1};
 
-TEST(PieceRequests, AreDueWhenTheBladeLeavesAKerfInWhichItCut) {
-  PieceRequests requests;
-  requests.watch(cutting);
-  EXPECT_TRUE(requests.has_opened());
-  EXPECT_FALSE(requests.ask());
-  requests.watch(leaving);
-  EXPECT_TRUE(requests.ask());
-  EXPECT_EQ(requests.last_opened(), 0);
-  EXPECT_FALSE(requests.has_opened());
+/// Kerfs 0 and 1 are in the first of two bones, kerf 2 in the second.
+class AskedPieces : public testing::Test {
+ protected:
+  AskedPieces() {
+    for (const std::int32_t bone : {0, 0, 1}) set_.freeze({}, bone);
+  }
+  void cut(std::initializer_list<std::int32_t> numbers, std::int32_t kerf = 0) {
+    requests_.watch({.kerf_before = kerf, .kerf_after = kerf, .opened = kerfs(numbers)});
+  }
+  std::int32_t ask() { return requests_.ask(set_); }
+
+  std::array<RigidTransform, 2> world_from_bones_{};
+  KerfSet set_{Blade{}, FragmentPoses(world_from_bones_)};
+  PieceRequests requests_;
+};
+
+TEST_F(AskedPieces, AreDueWhenTheBladeLeavesAKerfInWhichItCut) {
+  cut({0});
+  EXPECT_TRUE(requests_.has_opened());
+  EXPECT_EQ(ask(), -1);
+  requests_.watch(leaving);
+  EXPECT_EQ(ask(), 0);
+  EXPECT_FALSE(requests_.has_opened());
 }
 
-TEST(PieceRequests, AreDueWhenTheBladeLeavesTheBoneBehindIt) {
-  PieceRequests requests;
-  requests.watch({.kerf_before = 1, .kerf_after = 1, .has_opened = true, .broke_through = true});
-  EXPECT_TRUE(requests.ask());
-  EXPECT_EQ(requests.last_opened(), 1);
+TEST_F(AskedPieces, AreDueWhenTheBladeLeavesTheBoneBehindIt) {
+  requests_.watch({.kerf_before = 1, .kerf_after = 1, .opened = kerfs({1}), .broke_through = true});
+  EXPECT_EQ(ask(), 1);
 }
 
-TEST(PieceRequests, AreNotDueWhereNothingWasOpened) {
-  PieceRequests requests;
-  requests.watch(leaving);
-  requests.watch({.broke_through = true});
-  EXPECT_FALSE(requests.is_wanted());
-  EXPECT_EQ(requests.last_opened(), -1);
+TEST_F(AskedPieces, AreNotDueWhereNothingWasOpened) {
+  requests_.watch(leaving);
+  requests_.watch({.broke_through = true});
+  EXPECT_FALSE(requests_.is_wanted());
+  EXPECT_EQ(ask(), -1);
 }
 
-TEST(PieceRequests, GoOneAtATime) {
-  PieceRequests requests;
-  requests.watch(cutting);
-  requests.watch(leaving);
-  EXPECT_TRUE(requests.ask());
-  EXPECT_TRUE(requests.is_waiting());
-  requests.watch(cutting);
-  requests.watch(leaving);
-  EXPECT_FALSE(requests.ask());
-  EXPECT_TRUE(requests.is_wanted());
-  requests.apply();
-  EXPECT_TRUE(requests.ask());
+TEST_F(AskedPieces, GoOneAtATime) {
+  cut({0});
+  requests_.watch(leaving);
+  EXPECT_EQ(ask(), 0);
+  EXPECT_TRUE(requests_.is_waiting());
+  cut({0});
+  requests_.watch(leaving);
+  EXPECT_EQ(ask(), -1);
+  EXPECT_TRUE(requests_.is_wanted());
+  requests_.apply();
+  EXPECT_EQ(ask(), 0);
+}
+
+TEST_F(AskedPieces, OfOneFragmentAreAskedOnceForAllItsKerfs) {
+  cut({0});
+  cut({1}, 1);
+  requests_.watch(leaving);
+  EXPECT_EQ(ask(), 1) << "that opened last";
+  requests_.apply();
+  EXPECT_EQ(ask(), -1);
+}
+
+TEST_F(AskedPieces, OfACutAcrossTwoFragmentsAreAskedOfEach) {
+  cut({0, 2});
+  requests_.watch(leaving);
+  EXPECT_EQ(ask(), 0);
+  EXPECT_TRUE(requests_.is_wanted());
+  EXPECT_TRUE(requests_.has_opened()) << "whoever asks for a hinge waits";
+  requests_.apply();
+  EXPECT_EQ(ask(), 2);
+  requests_.apply();
+  EXPECT_FALSE(requests_.is_wanted());
 }
 
 }  // namespace

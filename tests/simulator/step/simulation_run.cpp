@@ -37,13 +37,13 @@ RigidTransform blade_down(const Vec3& tip_in_bone_mm, double lean_rad) {
   return {upright * rotation_about(Vec3{1.0, 0.0, 0.0}, lean_rad), tip_in_bone_mm};
 }
 
-SimulationRun::SimulationRun(const Bone& bone, const RigidTransform& bone_from_handle,
-                             const simulator::Saw& saw, const simulator::ContactSettings& settings,
-                             const std::vector<simulator::DangerCapsule>& danger_zones)
-    : bone_(bone),
-      tissue_(bone),
-      simulation_(tissue_, {bone, saw, settings, {}, danger_zones}),
-      jobs_(bone, saw.blade),
+SimulationRun::SimulationRun(const simulator::SimulationSetup& setup,
+                             const RigidTransform& bone_from_handle)
+    : bone_(setup.bone),
+      tissues_(setup.bones()),
+      simulation_(tissues_.all(), setup),
+      whole_(setup),
+      jobs_(whole_.all(), setup.tray, setup.bridges),
       bone_from_handle_(bone_from_handle) {
   step({{CommandKind::Start, 0, 0}});
 }

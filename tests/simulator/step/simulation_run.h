@@ -32,8 +32,11 @@ class SimulationRun {
  public:
   /// Starts with the blade at `bone_from_handle`. Borrows `bone`.
   SimulationRun(const simulator::Bone& bone, const RigidTransform& bone_from_handle,
-                const simulator::Saw& saw = {}, const simulator::ContactSettings& settings = {},
-                const std::vector<simulator::DangerCapsule>& danger_zones = {});
+                const simulator::Tray& tray = {}, const simulator::ContactSettings& settings = {},
+                const std::vector<simulator::DangerCapsule>& danger_zones = {})
+      : SimulationRun({bone, tray, settings, {}, danger_zones}, bone_from_handle) {}
+  /// Poses are in the first bone's frame. Borrows the bones.
+  SimulationRun(const simulator::SimulationSetup& setup, const RigidTransform& bone_from_handle);
 
   /// One line of the tape with the handle where it was last.
   simulator::StepOutput step(std::initializer_list<simulator::Command> commands = {});
@@ -58,8 +61,9 @@ class SimulationRun {
 
  private:
   const simulator::Bone& bone_;
-  simulator::TissueMap tissue_;
+  simulator::TissueMaps tissues_;
   simulator::Simulation simulation_;
+  simulator::WholeBones whole_;
   simulator::ImmediateJobs jobs_;
   simulator::Recording recording_;
   std::vector<simulator::JobRequest> requests_;

@@ -137,7 +137,7 @@ TEST(ToolEffects, AThickerBladeBendsLess) {
   const Bone bone = hard_block();
   const auto bent_mm = [&](double thickness_mm) {
     SimulationRun run(bone, blade_down({0.0, top_mm + 1.0, 0.0}),
-                      {.blade = {.thickness_mm = thickness_mm}});
+                      Saw{.blade = {.thickness_mm = thickness_mm}});
     push_down(run);
     return std::abs(run.glide(blade_down({1.0, top_mm - 7.5, 0.0}), 50).flex.deflection_mm);
   };

@@ -133,7 +133,8 @@ std::vector<std::string> names_made_from(const scenarios::Scenario& scenario,
 TEST(PlanFile, AnAttemptWhoseScenarioDoesNotFitItsBoneLeavesWithoutOne) {
   Planned made = planned("silver");
   EXPECT_EQ(names_made_from(made.scenario, made.bone),
-            (std::vector<std::string>{"bone.ply", "plan.json", "piece-1.ply"}));
+            (std::vector<std::string>{"bone.ply", "plan.json", "fragments.json", "implants.json",
+                                      "piece-1.ply"}));
   made.bone.landmarks.clear();
   EXPECT_EQ(names_made_from(made.scenario, made.bone),
             (std::vector<std::string>{"bone.ply", "piece-1.ply"}));

@@ -25,6 +25,7 @@
 #include "ui/jobs/course/scenario_jobs.h"
 #include "ui/jobs/devices/lent_hand.h"
 #include "ui/jobs/files/read_small_file.h"
+#include "ui/jobs/left_behind_json.h"
 #include "ui/report/score_sheet.h"
 #include "ui/sight/start_place.h"
 
@@ -130,7 +131,8 @@ ScriptedAttempt attempt_from(const AttemptOptions& options) {
   const std::string text =
       read_small_file(options.hand, hand_mebibytes_max,
                       "--hand takes expert, novice, perfect, or a file with a motion");
-  attempt.motion = scenarios::parse_hand_motion(text, options.hand);
+  attempt.motion =
+      scenarios::parse_hand_motion(text, options.hand, scenarios::laid_out_tools(attempt.scenario));
   attempt.hand = kept_name_of(options.hand, text);
   return attempt;
 }
@@ -147,6 +149,12 @@ ordered_json outcome_json(const ScriptedAttempt& attempt, const AttemptOutcome& 
   answer.update(card_summary_json(outcome.card, false));
   answer["samples"] = outcome.recorder.samples;
   answer["duration_s"] = second_from_tick(outcome.loop.ticks);
+  if (outcome.left) {
+    answer["steps"] = steps_json(*outcome.left, attempt.scenario);
+    answer["fragments"] = fragments_json(*outcome.left);
+    answer["implants"] = implants_json(*outcome.left);
+    answer["balance"] = balance_json(*outcome.left);
+  }
   answer["quality"] = ordered_json::parse(quality_json(outcome.quality));
   answer["loop"] = {{"step_us",
                      {{"p50", outcome.loop.step_p50_us},
@@ -185,6 +193,7 @@ HeldHand held_hand(const VerbContext& context, const AttemptOptions& options,
 
 ExitCode run_attempt_verb(const VerbContext& context, const AttemptOptions& options) {
   ScriptedAttempt attempt = attempt_from(options);
+  attempt.asks_what_is_left = context.json;
   if (is_plugged(options)) {
     attempt.held = held_hand(context, options, open_station(context), attempt.scenario);
     attempt.hand = "held";

@@ -11,6 +11,7 @@
 #include <functional>
 #include <limits>
 
+#include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/progress.h"
 #include "simulator/base/units.h"
 #include "simulator/record/sample_force.h"
@@ -177,8 +178,8 @@ std::shared_ptr<const ReplayMaterial> make_replay(const scenarios::Scenario& sce
   material->header = made.material.header;
   material->card = std::move(made.card);
   const FollowKerfs follow = [](const AttemptMaterial& attempt, const Progress& progress) {
-    return assessment::opened_fields(attempt.scenario.saw.blade, attempt.bone.world_from_bone,
-                                     attempt.recording, progress);
+    return assessment::opened_fields(scenarios::tray_of(attempt.scenario),
+                                     attempt.bone.world_from_bone, attempt.recording, progress);
   };
   const std::string name = "replay made " + std::to_string(picture_id(scenario.text));
   complete(*material, {std::move(made.material), directory, name, follow},

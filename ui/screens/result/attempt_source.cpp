@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "assessment/rebuild/opened_fields.h"
+#include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/progress.h"
 #include "ui/jobs/cached_fields.h"
 #include "ui/screens/parts/desk_work.h"
@@ -39,8 +40,9 @@ assessment::Examination stamped_examination_of(const AttemptSource& source,
   const Progress reached = progress("Examining");
   assessment::Measured measured{
       *source.measurements,
-      assessment::opened_fields(material.scenario.saw.blade, material.bone.world_from_bone,
-                                material.recording, part_of(reached, 0.0, stamped_share))};
+      assessment::opened_fields(scenarios::tray_of(material.scenario),
+                                material.bone.world_from_bone, material.recording,
+                                part_of(reached, 0.0, stamped_share))};
   return assessment::examine_measured(material.scenario, material.bone, material.recording,
                                       material.header.begun.device_class, std::move(measured),
                                       part_of(reached, stamped_share, 1.0));

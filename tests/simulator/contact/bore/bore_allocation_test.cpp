@@ -17,7 +17,7 @@ TEST(BoreTick, TakesNoMemory) {
   world.holes.reserve(8);
   world.metal.push_back({{-30.0, -20.0, 0.0}, {30.0, -20.0, 0.0}, 0.8});
   const Vec3 down{0.0, -1.0, 0.0};
-  world.state.body_from_tool = pointing({0.0, 6.0, 0.0}, down);
+  world.state.wound_from_tool = pointing({0.0, 6.0, 0.0}, down);
   const std::uint64_t taken = allocations_of_this_thread(), given = frees_of_this_thread();
   bool broke_through = false;
   for (const double x_mm : {0.0, 4.0}) {

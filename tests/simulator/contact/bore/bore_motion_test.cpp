@@ -34,7 +34,7 @@ Bone slab(double thickness_mm) {
 
 /// A tool that stands on the slab at a place, at rest.
 void set_down(BoreWorld& world, const Vec3& place_mm, const Vec3& ahead = down) {
-  world.state.body_from_tool = pointing(place_mm - 2.0 * ahead, ahead);
+  world.state.wound_from_tool = pointing(place_mm - 2.0 * ahead, ahead);
   world.glide(pointing(place_mm + 0.5 * ahead, ahead), false, 20);
 }
 
@@ -50,30 +50,30 @@ int push_until(BoreWorld& world, double force_newton, int limit, const Until& un
 TEST(FreePoint, FollowsTheHandWithoutAForce) {
   BoreWorld world(slab(5.0), wire());
   const RigidTransform pose = pointing({3.0, top_mm + 1.4, 0.5}, down);
-  world.state.body_from_tool = pointing({3.0, top_mm + 2.0, 0.5}, down);
+  world.state.wound_from_tool = pointing({3.0, top_mm + 2.0, 0.5}, down);
   const BoreOutcome outcome = world.hold(pose, true, 5);
-  EXPECT_EQ(world.state.body_from_tool, pose);
-  EXPECT_EQ(outcome.force_in_body_newton, Vec3(0.0, 0.0, 0.0));
+  EXPECT_EQ(world.state.wound_from_tool, pose);
+  EXPECT_EQ(outcome.force_in_wound_newton, Vec3(0.0, 0.0, 0.0));
   EXPECT_EQ(world.state.stage, BoreStage::Free);
 }
 
 TEST(FreePoint, NoHandIsFastEnoughToCarryItThroughBone) {
   BoreWorld world(slab(2.0), wire());
-  world.state.body_from_tool = pointing({0.0, top_mm + 3.0, 0.0}, down);
+  world.state.wound_from_tool = pointing({0.0, top_mm + 3.0, 0.0}, down);
   const BoreOutcome outcome = world.hold(pointing({0.0, top_mm - 40.0, 0.0}, down), false, 100);
   EXPECT_EQ(world.state.stage, BoreStage::OnBone);
   EXPECT_NEAR(world.tip_mm().y, top_mm, 0.01);
   EXPECT_TRUE(outcome.is_force_limited);
-  EXPECT_NEAR(outcome.force_in_body_newton.y, 30.0, 1e-9);
+  EXPECT_NEAR(outcome.force_in_wound_newton.y, 30.0, 1e-9);
 }
 
 TEST(FreePoint, BoneHoldsTheShaft) {
   BoreWorld world(slab(5.0), wire());
   const Vec3 along{1.0, 0.0, 0.0};
-  world.state.body_from_tool = pointing({10.0, top_mm + 3.0, 0.0}, along);
+  world.state.wound_from_tool = pointing({10.0, top_mm + 3.0, 0.0}, along);
   const BoreOutcome outcome = world.glide(pointing({10.0, top_mm - 2.0, 0.0}, along), true, 200);
   EXPECT_EQ(world.bores.size(), 0U);
-  EXPECT_GT(outcome.force_in_body_newton.y, 2.0);
+  EXPECT_GT(outcome.force_in_wound_newton.y, 2.0);
   EXPECT_GT(world.tip_mm().y, top_mm);
 }
 
@@ -81,7 +81,7 @@ TEST(PointOnBone, PushesBackWithTheSpring) {
   BoreWorld world(slab(5.0), wire());
   set_down(world, {0.0, top_mm, 0.0});
   const BoreOutcome outcome = world.hold(pointing({0.0, top_mm - 3.0, 0.0}, down), false, 50);
-  EXPECT_NEAR(outcome.force_in_body_newton.y, coupling_newton_per_mm * 3.0, 0.01);
+  EXPECT_NEAR(outcome.force_in_wound_newton.y, coupling_newton_per_mm * 3.0, 0.01);
 }
 
 TEST(PointOnBone, AtRestBoresNothing) {
@@ -184,7 +184,7 @@ TEST(Bore, ThreeTicksInOneLineAdvanceThreeTimesAsFar) {
     set_down(*world, {0.0, top_mm, 0.0});
     for (int i = 0; i < 400; ++i) world->push(10.0, true);
   }
-  RigidTransform handle = one.state.body_from_tool;
+  RigidTransform handle = one.state.wound_from_tool;
   handle.translation_mm += 5.0 * down;
   const double single_mm = one.tick(handle, true).advance_mm;
   EXPECT_NEAR(three.tick(handle, true, 0.003).advance_mm, 3.0 * single_mm, 1e-12);
@@ -220,7 +220,7 @@ TEST(Bore, LetsThePointGoAtTwoTenthsOfAMillimetreATick) {
     last_mm = world.tip_mm().y;
   }
   EXPECT_NEAR(ticks, stretch_mm / 0.2, 1.5);
-  EXPECT_NEAR(outcome.force_in_body_newton.y, 0.0, 1e-6);
+  EXPECT_NEAR(outcome.force_in_wound_newton.y, 0.0, 1e-6);
 }
 
 /// A tube around x with walls of 3 mm and marrow within.
@@ -298,24 +298,24 @@ TEST(Bore, HoldsTheToolToItsAxisWithTheSpring) {
   const Vec3 tip = world.tip_mm();
   const BoreOutcome outcome = world.hold(pointing(tip + Vec3{1.5, 0.0, 0.0}, down), true, 50);
   EXPECT_NEAR(world.tip_mm().x, tip.x, 1e-9);
-  EXPECT_NEAR(outcome.force_in_body_newton.x, -3.0, 1e-6);
-  EXPECT_NEAR(outcome.force_in_body_newton.y, 0.0, 1e-6);
+  EXPECT_NEAR(outcome.force_in_wound_newton.x, -3.0, 1e-6);
+  EXPECT_NEAR(outcome.force_in_wound_newton.y, 0.0, 1e-6);
 }
 
 TEST(Bore, LetsTheToolSpinAboutItsAxisAndNotTilt) {
   BoreWorld world(slab(20.0), wire());
   set_down(world, {0.0, top_mm, 0.0});
   for (int i = 0; i < 2000; ++i) world.push(10.0, true);
-  const RigidTransform here = world.state.body_from_tool;
+  const RigidTransform here = world.state.wound_from_tool;
   const RigidTransform turned{rotation_about(down, 0.8) * here.rotation, here.translation_mm};
-  const Vec3 spun = world.hold(turned, true, 400).torque_in_body_newton_mm;
+  const Vec3 spun = world.hold(turned, true, 400).torque_in_wound_newton_mm;
   EXPECT_NEAR(length_of(spun), 0.0, 1e-6);
-  EXPECT_NEAR(length_of(axis_y(world.state.body_from_tool) - axis_y(turned)), 0.0, 1e-6);
+  EXPECT_NEAR(length_of(axis_y(world.state.wound_from_tool) - axis_y(turned)), 0.0, 1e-6);
   const RigidTransform tilted{rotation_about(Vec3{0.0, 0.0, 1.0}, 0.05) * here.rotation,
                               here.translation_mm};
-  const Vec3 held = world.hold(tilted, true, 400).torque_in_body_newton_mm;
+  const Vec3 held = world.hold(tilted, true, 400).torque_in_wound_newton_mm;
   EXPECT_NEAR(length_of(held), 4000.0 * 0.05, 1.0);
-  EXPECT_NEAR(length_of(axis_x(world.state.body_from_tool) - down), 0.0, 1e-9);
+  EXPECT_NEAR(length_of(axis_x(world.state.wound_from_tool) - down), 0.0, 1e-9);
 }
 
 TEST(Bore, IsLeftBackwardsFreelyAndFoundAgain) {
@@ -326,7 +326,7 @@ TEST(Bore, IsLeftBackwardsFreelyAndFoundAgain) {
   ASSERT_GT(depth_mm, 5.0);
   const BoreOutcome drawn = world.glide(pointing({0.0, top_mm + 3.0, 0.0}, down), false, 400);
   EXPECT_EQ(world.state.stage, BoreStage::Free);
-  EXPECT_NEAR(length_of(drawn.force_in_body_newton), 0.0, 1e-6);
+  EXPECT_NEAR(length_of(drawn.force_in_wound_newton), 0.0, 1e-6);
   EXPECT_EQ(world.bores[0].depth_mm, depth_mm);
   // 0.3 mm beside and three degrees aslant, with a resting drive.
   const Vec3 aslant{elementary::sin(0.05), -elementary::cos(0.05), 0.0};
@@ -338,7 +338,7 @@ TEST(Bore, IsLeftBackwardsFreelyAndFoundAgain) {
   EXPECT_EQ(world.bores.size(), 1U);
   EXPECT_NEAR(world.tip_mm().y, top_mm - depth_mm, 0.01);
   EXPECT_NEAR(world.tip_mm().x, 0.0, 1e-9);
-  EXPECT_NEAR(outcome.force_in_body_newton.y, 4.0, 0.05);
+  EXPECT_NEAR(outcome.force_in_wound_newton.y, 4.0, 0.05);
 }
 
 TEST(Bore, AMillimetreBesideIsAnotherOne) {
@@ -375,13 +375,13 @@ TEST(Bore, TakesADrillIntoItsMouthWithoutARunningDrive) {
   BoreWorld world(slab(20.0), wire());
   // Wider than the wire, and none that it could be led by: it only falls in.
   world.holes.push_back({{0.0, 12.0, 0.0}, {0.0, 2.0, 0.0}, 1.5});
-  world.state.body_from_tool = pointing({0.2, top_mm + 2.0, 0.0}, down);
+  world.state.wound_from_tool = pointing({0.2, top_mm + 2.0, 0.0}, down);
   world.glide(pointing({0.2, top_mm - 5.0, 0.0}, down), false, 200);
   EXPECT_NEAR(world.tip_mm().y, top_mm - 5.0, 0.05);
   // Its wall holds the shaft: 1.5 - 0.8 mm aside at most.
   const BoreOutcome outcome = world.glide(pointing({1.5, top_mm - 5.0, 0.0}, down), false, 200);
   EXPECT_NEAR(world.tip_mm().x, 0.7, 0.1);
-  EXPECT_LT(outcome.force_in_body_newton.x, -1.0);
+  EXPECT_LT(outcome.force_in_wound_newton.x, -1.0);
 }
 
 TEST(Bore, IsStoppedByMetal) {
@@ -390,7 +390,7 @@ TEST(Bore, IsStoppedByMetal) {
   set_down(world, {0.0, top_mm, 0.0});
   BoreOutcome outcome;
   for (int i = 0; i < 4000; ++i) outcome = world.push(10.0, true);
-  EXPECT_TRUE(outcome.met_metal);
+  EXPECT_EQ(outcome.metal, 0);
   EXPECT_NEAR(world.tip_mm().y, 6.8, 0.03);
 }
 

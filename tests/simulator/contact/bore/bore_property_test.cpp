@@ -65,18 +65,18 @@ RC_GTEST_PROP(BoreProperty, AnyHandIsFollowedWithinTheLimits, (std::uint64_t see
   world.holes.push_back({{3.0, 9.0, 0.0}, {3.0, 0.0, 0.0}, 1.2});
   world.bores.push_back(begin_bore(pointing({3.0, 8.0, 0.0}, {0.0, -1.0, 0.0}), 0.0, 1.2));
   world.bores[0].depth_mm = 9.2;
-  world.state.body_from_tool = pointing({0.0, 12.0, 0.0}, {0.0, -1.0, 0.0});
-  AnyHand hand(random, world.state.body_from_tool);
+  world.state.wound_from_tool = pointing({0.0, 12.0, 0.0}, {0.0, -1.0, 0.0});
+  AnyHand hand(random, world.state.wound_from_tool);
   for (int i = 0; i < 3000; ++i) {
     const Vec3 before_mm = world.tip_mm();
     const RigidTransform handle = hand.next();
     const BoreOutcome outcome = world.tick(handle, hand.runs);
-    RC_ASSERT(is_pose(world.state.body_from_tool));
+    RC_ASSERT(is_pose(world.state.wound_from_tool));
     // Along the axis and aside of it each within the limit, and a feed of at most 0.005 mm.
     RC_ASSERT(length_of(world.tip_mm() - before_mm) <= 1.4143 * tick_travel_limit_mm + 0.006);
-    RC_ASSERT(length_of(outcome.force_in_body_newton) <=
+    RC_ASSERT(length_of(outcome.force_in_wound_newton) <=
               world.settings.force_limit_newton + 1.0e-9);
-    RC_ASSERT(length_of(outcome.torque_in_body_newton_mm) <=
+    RC_ASSERT(length_of(outcome.torque_in_wound_newton_mm) <=
               world.settings.torque_limit_newton_mm + 1.0e-9);
     RC_ASSERT(outcome.advance_mm >= 0.0);
     if (world.state.stage == BoreStage::InBore) continue;
@@ -93,8 +93,8 @@ RC_GTEST_PROP(BoreProperty, AnyHandIsFollowedWithinTheLimits, (std::uint64_t see
 RC_GTEST_PROP(BoreProperty, NothingIsBoredWithoutARunningDrive, (std::uint64_t seed)) {
   Random random(seed);
   BoreWorld world(cortical_bone(solid_block({20.0, 16.0, 10.0})), random_tool(random));
-  world.state.body_from_tool = pointing({0.0, 12.0, 0.0}, {0.0, -1.0, 0.0});
-  AnyHand hand(random, world.state.body_from_tool);
+  world.state.wound_from_tool = pointing({0.0, 12.0, 0.0}, {0.0, -1.0, 0.0});
+  AnyHand hand(random, world.state.wound_from_tool);
   for (int i = 0; i < 2000; ++i) {
     const BoreOutcome outcome = world.tick(hand.next(), false);
     RC_ASSERT(!outcome.wants_bore && outcome.advance_mm == 0.0);
@@ -106,10 +106,10 @@ RC_GTEST_PROP(BoreProperty, TheSameHandGivesTheSameBits, (std::uint64_t seed)) {
   const auto run = [&] {
     Random random(seed);
     BoreWorld world(cancellous_bone(solid_block({20.0, 16.0, 10.0})), random_tool(random));
-    world.state.body_from_tool = pointing({0.0, 12.0, 0.0}, {0.0, -1.0, 0.0});
-    AnyHand hand(random, world.state.body_from_tool);
+    world.state.wound_from_tool = pointing({0.0, 12.0, 0.0}, {0.0, -1.0, 0.0});
+    AnyHand hand(random, world.state.wound_from_tool);
     for (int i = 0; i < 1000; ++i) world.tick(hand.next(), hand.runs);
-    return world.state.body_from_tool;
+    return world.state.wound_from_tool;
   };
   RC_ASSERT(run() == run());
 }

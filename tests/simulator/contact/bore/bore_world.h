@@ -25,19 +25,19 @@ class BoreWorld {
       : tool(held), bone_(std::move(bone)) {}
 
   /// One tick with the handle at a pose; then what a step does with its outcome.
-  simulator::BoreOutcome tick(const RigidTransform& body_from_handle, bool drive_runs,
+  simulator::BoreOutcome tick(const RigidTransform& wound_from_handle, bool drive_runs,
                               double duration_s = 0.001) {
     const simulator::BoreOutcome outcome = simulator::move_bore(
-        state, {tool, body_from_handle, drive_runs, duration_s, bores, holes, metal}, standing(),
+        state, {tool, wound_from_handle, drive_runs, duration_s, bores, {holes}, metal}, standing(),
         settings);
     if (outcome.found_bore >= 0 && state.stage != simulator::BoreStage::InBore)
       begin(
           simulator::widened(bores[static_cast<std::size_t>(outcome.found_bore)], tool.radius_mm));
     if (outcome.wants_bore)
-      begin(simulator::begin_bore(state.body_from_tool, state.touch_depth_mm, tool.radius_mm));
+      begin(simulator::begin_bore(state.wound_from_tool, state.touch_depth_mm, tool.radius_mm));
     if (state.stage == simulator::BoreStage::InBore) {
       const auto bore = static_cast<std::size_t>(state.bore);
-      simulator::open_bore(bores[bore], state.body_from_tool);
+      simulator::open_bore(bores[bore], state.wound_from_tool);
       holes[bore] = simulator::capsule_of(bores[bore]);
     }
     return outcome;
@@ -49,7 +49,8 @@ class BoreWorld {
   }
   /// The handle goes straight from where it is to a pose.
   simulator::BoreOutcome glide(const RigidTransform& handle, bool drive_runs, int ticks) {
-    const RigidTransform from = state.knows_handle ? state.body_from_handle : state.body_from_tool;
+    const RigidTransform from =
+        state.knows_handle ? state.wound_from_handle : state.wound_from_tool;
     simulator::BoreOutcome outcome;
     for (int i = 1; i <= ticks; ++i)
       outcome = tick(interpolate(from, handle, static_cast<double>(i) / ticks), drive_runs);
@@ -57,14 +58,14 @@ class BoreWorld {
   }
   /// A hand that keeps its push: the handle leads the tip by the stretch along the tool's axis.
   simulator::BoreOutcome push(double force_newton, bool drive_runs) {
-    RigidTransform handle = state.body_from_tool;
+    RigidTransform handle = state.wound_from_tool;
     handle.translation_mm += force_newton / coupling_newton_per_mm * axis_x(handle);
     return tick(handle, drive_runs);
   }
 
   /// Opens a kerf: the blade at a pose, fed along its x.
-  void saw(const RigidTransform& body_from_blade, double feed_mm) {
-    const simulator::QuantisedPose frozen = simulator::quantise(body_from_blade);
+  void saw(const RigidTransform& wound_from_blade, double feed_mm) {
+    const simulator::QuantisedPose frozen = simulator::quantise(wound_from_blade);
     simulator::ToolSample sample;
     sample.kerf = kerfs_.freeze(frozen);
     sample.status = static_cast<std::uint32_t>(simulator::ToolStatus::SawOn);
@@ -76,7 +77,7 @@ class BoreWorld {
     }
   }
   simulator::RemainingTissue standing() const { return {tissue_, kerfs_, {}}; }
-  Vec3 tip_mm() const { return state.body_from_tool.translation_mm; }
+  Vec3 tip_mm() const { return state.wound_from_tool.translation_mm; }
 
   simulator::BoreTool tool;
   simulator::BoreToolState state;

@@ -24,7 +24,7 @@ BoreWorld piloted(double pilot_mm, const Screwdriver& driver) {
     world.bores.push_back(pilot);
     world.holes.push_back(capsule_of(pilot));
   }
-  world.state.body_from_tool = pointing({0.0, top_mm + 2.0, 0.0}, down);
+  world.state.wound_from_tool = pointing({0.0, top_mm + 2.0, 0.0}, down);
   world.glide(pointing({0.0, top_mm - 0.05, 0.0}, down), false, 40);
   return world;
 }
@@ -86,7 +86,7 @@ TEST(Screw, IsNotDrawnOutOfItsThread) {
   const double tip_mm = world.tip_mm().y;
   const BoreOutcome outcome = world.hold(pointing({0.0, top_mm + 5.0, 0.0}, down), false, 100);
   EXPECT_EQ(world.tip_mm().y, tip_mm);
-  EXPECT_NEAR(outcome.force_in_body_newton.y, -coupling_newton_per_mm * (top_mm + 5.0 - tip_mm),
+  EXPECT_NEAR(outcome.force_in_wound_newton.y, -coupling_newton_per_mm * (top_mm + 5.0 - tip_mm),
               1e-6);
 }
 
@@ -150,7 +150,7 @@ TEST(Screw, AslantIsSeatedWhereItsHeadFirstMeetsBone) {
   pilot.depth_mm = 15.0;
   world.bores.push_back(pilot);
   world.holes.push_back(capsule_of(pilot));
-  world.state.body_from_tool = pointing(Vec3{-5.0, top_mm, 0.0} - 2.0 * ahead, ahead);
+  world.state.wound_from_tool = pointing(Vec3{-5.0, top_mm, 0.0} - 2.0 * ahead, ahead);
   world.glide(pointing(Vec3{-5.0, top_mm, 0.0} + 0.1 * ahead, ahead), false, 40);
   int ticks = 0;
   while (!world.push(6.0, true).head_seated && ticks < 8000) ++ticks;

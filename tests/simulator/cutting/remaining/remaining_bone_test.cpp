@@ -38,7 +38,7 @@ struct Sawn {
   explicit Sawn(IndexedMesh bone)
       : solid(uncut_solid(std::move(bone))),
         original(solid.mesh),
-        kerfs({.width_mm = 10.0, .depth_mm = 20.0, .kerf_mm = 2.0 * half_mm}, RigidTransform{},
+        kerfs(Blade{.width_mm = 10.0, .depth_mm = 20.0, .kerf_mm = 2.0 * half_mm}, RigidTransform{},
               small_grid()) {}
 
   /// Freezes a kerf at a pose and feeds the blade along its x by `feed_mm`.

@@ -83,7 +83,7 @@ MemoryUse memory_at_rest() {
 class WaitedJobs final : public simulator::JobRunner {
  public:
   WaitedJobs(const simulator::WholeBone& whole, const simulator::SimulationSetup& setup)
-      : jobs_({whole, setup.bone.world_from_bone}, setup.saw.blade, setup.bridges) {}
+      : jobs_({whole, setup.bone.world_from_bone}, setup.tray, setup.bridges) {}
 
   bool apply(const StepOutput& output) override {
     requests += output.requests.size();

@@ -41,8 +41,8 @@ VirtualOperation::VirtualOperation(PreparedCase prepared, std::vector<scenarios:
                               simulator::Guidance::None)),
       tissue_(prepared_.bone),
       simulation_(tissue_, setup_),
-      jobs_(prepared_.bone, setup_.saw.blade, setup_.bridges),
-      cut_({*prepared_.whole, prepared_.bone.world_from_bone}, setup_.saw.blade, setup_.bridges),
+      jobs_(prepared_.bone, setup_.tray, setup_.bridges),
+      cut_({*prepared_.whole, prepared_.bone.world_from_bone}, setup_.tray, setup_.bridges),
       survey_(prepared_),
       mouse_(start_pose(prepared_)),
       session_(kind) {

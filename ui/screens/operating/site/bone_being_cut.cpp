@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "scenarios/tray/laid_out_tools.h"
 #include "ui/screens/pictures/bone_viewport.h"
 #include "ui/screens/pictures/cached_look.h"
 
@@ -51,7 +52,8 @@ BoneBeingCut::BoneBeingCut(std::string name, const PreparedCase& prepared_case,
       picture_(std::move(picture)),
       watch_(watch),
       cut_({*prepared_case.whole, prepared_case.bone.world_from_bone},
-           prepared_case.scenario.saw.blade, scenarios::planned_bridges(prepared_case.plan)),
+           scenarios::tray_of(prepared_case.scenario),
+           scenarios::planned_bridges(prepared_case.plan)),
       survey_(prepared_case) {
   base_ = {picture_.mesh, picture_.tree, world_from_bone_};
   newest_.bodies = {base_};

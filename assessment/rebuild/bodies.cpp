@@ -1,0 +1,215 @@
+#include "assessment/rebuild/bodies.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "simulator/base/units.h"
+#include "simulator/bone/contact_points.h"
+#include "simulator/mesh/bvh.h"
+
+namespace hallux::assessment {
+
+namespace {
+
+using simulator::Bvh;
+using simulator::CutSolid;
+
+/// Nearer than this bodies touch.
+constexpr double touching_mm = 0.2;
+/// Further apart two faces do not face each other.
+constexpr double facing_mm = 5.0;
+/// A body lies ahead of a point of a face where its nearest point does, within 10 degrees.
+constexpr double straight_ahead = 0.985;
+/// A sawn face is sampled at least once in so much of it.
+constexpr double sample_mm2 = 0.25;
+
+double turn_deg(const Quat& rotation) {
+  const double half_sine = length_of(Vec3(rotation.x, rotation.y, rotation.z));
+  return degree_from_radian(2.0 * std::atan2(half_sine, std::abs(rotation.w)));
+}
+
+/// Of RebuiltBone::pieces, the fragment that it is of; -1: it was taken out.
+std::int32_t fragment_of(std::size_t piece, const RebuiltBone& rebuilt) {
+  for (std::size_t i = 0; i < rebuilt.fragments.size(); ++i) {
+    const RebuiltFragment& fragment = rebuilt.fragments[i];
+    const bool is_of =
+        piece >= fragment.first_piece && piece < fragment.first_piece + fragment.piece_count;
+    if (is_of) return fragment.is_out ? -1 : static_cast<std::int32_t>(i);
+  }
+  return -1;
+}
+
+const scenarios::PlannedFragment* planned_as(const CutSolid& solid, const scenarios::Plan& plan) {
+  const Bvh tree(solid.mesh);
+  const auto& fragments = plan.fixation.fragments;
+  const auto found = std::find_if(
+      fragments.begin(), fragments.end(), [&](const scenarios::PlannedFragment& fragment) {
+        return fragment.bone == 0 && tree.contains(fragment.holds_in_bone_mm);
+      });
+  return found == fragments.end() ? nullptr : &*found;
+}
+
+std::string name_of(std::size_t piece, std::int32_t fragment, const RebuiltBone& rebuilt,
+                    const scenarios::Plan& plan, const std::string& bone_name) {
+  if (const auto* planned = planned_as(rebuilt.pieces[piece], plan)) return planned->name;
+  const bool is_bone = fragment == 0 && piece == rebuilt.fragments.front().first_piece;
+  return is_bone ? bone_name : "body-" + std::to_string(piece + 1);
+}
+
+struct SurfacePoint {
+  Vec3 point_mm{0.0, 0.0, 0.0}, normal{0.0, 0.0, 0.0};
+  double area_mm2 = 0.0;
+};
+
+/// Points of a triangle, spread evenly, each with its share of the area: the middles of the small
+/// triangles of a lattice of so many rows.
+void add_points(const std::array<Vec3, 3>& corners, int rows, std::vector<SurfacePoint>& points) {
+  const Vec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+  const double doubled_mm2 = length_of(across);
+  if (!(doubled_mm2 > 0.0)) return;
+  const double share_mm2 = 0.5 * doubled_mm2 / (rows * rows);
+  const auto add = [&](double u, double v) {
+    points.push_back({corners[0] + (u / rows) * (corners[1] - corners[0]) +
+                          (v / rows) * (corners[2] - corners[0]),
+                      across / doubled_mm2, share_mm2});
+  };
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; i + j < rows; ++j) {
+      add(i + 1.0 / 3.0, j + 1.0 / 3.0);
+      if (i + j + 1 < rows) add(i + 2.0 / 3.0, j + 2.0 / 3.0);
+    }
+  }
+}
+
+std::vector<SurfacePoint> sawn_points(const CutSolid& solid) {
+  std::vector<SurfacePoint> points;
+  for (std::size_t i = 0; i < solid.mesh.triangles.size(); ++i) {
+    if (solid.sources[i].kerf < 0) continue;
+    const auto& triangle = solid.mesh.triangles[i];
+    const std::array<Vec3, 3> corners{solid.mesh.points_mm[triangle[0]],
+                                      solid.mesh.points_mm[triangle[1]],
+                                      solid.mesh.points_mm[triangle[2]]};
+    const double area_mm2 =
+        0.5 * length_of(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
+    add_points(corners, 1 + static_cast<int>(std::sqrt(area_mm2 / sample_mm2)), points);
+  }
+  return points;
+}
+
+/// The bodies that are there, with the trees over their surfaces.
+class StandingBodies {
+ public:
+  StandingBodies(const std::vector<Body>& bodies, const RebuiltBone& rebuilt) : bodies_(bodies) {
+    for (const Body& body : bodies)
+      trees_.push_back(std::make_unique<const Bvh>(rebuilt.pieces[body.piece].mesh));
+  }
+
+  /// Visits the nearest point of each other body within the distance: visit(signed_mm, towards),
+  /// with the way to it in the bone frame; negative inside.
+  template <typename Visit>
+  void visit_others(std::size_t body, const Vec3& point_in_bone_mm, double within_mm,
+                    const Visit& visit) const {
+    for (std::size_t other = 0; other < bodies_.size(); ++other) {
+      if (other == body || bodies_[other].fragment < 0) continue;
+      const RigidTransform& pose = bodies_[other].bone_from_piece;
+      const Vec3 point_mm = transform_point(inverse(pose), point_in_bone_mm);
+      const auto near = trees_[other]->nearest(point_mm, within_mm);
+      if (!near) continue;
+      const double signed_mm = near->is_inside ? -near->distance_mm : near->distance_mm;
+      visit(signed_mm, transform_direction(pose, near->point_mm - point_mm));
+    }
+  }
+
+ private:
+  const std::vector<Body>& bodies_;
+  std::vector<std::unique_ptr<const Bvh>> trees_;
+};
+
+void measure_contact(std::size_t number, const Body& body, const CutSolid& solid,
+                     const StandingBodies& standing, BodyPlacement& placement) {
+  double sawn_mm2 = 0.0, touching_mm2 = 0.0;
+  for (const SurfacePoint& sample : sawn_points(solid)) {
+    const Vec3 point_mm = transform_point(body.bone_from_piece, sample.point_mm);
+    const Vec3 normal = transform_direction(body.bone_from_piece, sample.normal);
+    bool is_touching = false;
+    double gap_mm = std::numeric_limits<double>::infinity();
+    standing.visit_others(number, point_mm, facing_mm, [&](double signed_mm, const Vec3& way) {
+      is_touching = is_touching || signed_mm <= touching_mm;
+      const double ahead_mm = glm::dot(way, normal);
+      if (signed_mm > 0.0 && ahead_mm >= straight_ahead * signed_mm)
+        gap_mm = std::min(gap_mm, ahead_mm);
+    });
+    sawn_mm2 += sample.area_mm2;
+    if (is_touching) touching_mm2 += sample.area_mm2;
+    if (gap_mm <= facing_mm)
+      placement.gap_max_mm = std::max(placement.gap_max_mm.value_or(0.0), gap_mm);
+  }
+  if (sawn_mm2 > 0.0) placement.contact_share = touching_mm2 / sawn_mm2;
+}
+
+double overlap_mm(std::size_t number, const Body& body, const CutSolid& solid,
+                  const StandingBodies& standing) {
+  double most_mm = 0.0;
+  const auto ask = [&](const Vec3& point_in_piece_mm) {
+    const Vec3 point_mm = transform_point(body.bone_from_piece, point_in_piece_mm);
+    standing.visit_others(number, point_mm, facing_mm, [&](double signed_mm, const Vec3&) {
+      most_mm = std::max(most_mm, -signed_mm);
+    });
+  };
+  for (const Vec3& point : solid.mesh.points_mm) ask(point);
+  for (const SurfacePoint& sample : sawn_points(solid)) ask(sample.point_mm);
+  return most_mm;
+}
+
+void measure_error(const Body& body, const scenarios::Plan& plan, BodyPlacement& placement) {
+  const scenarios::PlannedFragment* const planned = find_fragment(plan.fixation, body.name);
+  if (planned == nullptr) return;
+  const RigidTransform& wanted = planned->bone_from_rest;
+  placement.error_mm = length_of(transform_point(body.bone_from_piece, body.centroid_in_bone_mm) -
+                                 transform_point(wanted, body.centroid_in_bone_mm));
+  placement.error_deg = turn_deg(glm::conjugate(wanted.rotation) * body.bone_from_piece.rotation);
+}
+
+}  // namespace
+
+std::vector<Body> bodies_of(const RebuiltBone& rebuilt, const scenarios::Plan& plan,
+                            const std::string& bone_name) {
+  std::vector<Body> bodies;
+  for (std::size_t piece = 0; piece < rebuilt.pieces.size(); ++piece) {
+    Body body;
+    body.piece = piece;
+    body.fragment = fragment_of(piece, rebuilt);
+    body.name = name_of(piece, body.fragment, rebuilt, plan, bone_name);
+    if (body.fragment >= 0)
+      body.bone_from_piece = rebuilt.fields.fragments()[body.fragment].bone_from_fragment;
+    body.centroid_in_bone_mm = simulator::centroid_of(rebuilt.pieces[piece].mesh);
+    body.volume_mm3 = rebuilt.piece_volumes_mm3[piece];
+    bodies.push_back(std::move(body));
+  }
+  return bodies;
+}
+
+std::vector<BodyPlacement> placements_of(const std::vector<Body>& bodies,
+                                         const RebuiltBone& rebuilt, const scenarios::Plan& plan) {
+  const StandingBodies standing(bodies, rebuilt);
+  std::vector<BodyPlacement> placements;
+  for (std::size_t number = 0; number < bodies.size(); ++number) {
+    const Body& body = bodies[number];
+    BodyPlacement placement;
+    placement.moved_mm = length_of(transform_point(body.bone_from_piece, body.centroid_in_bone_mm) -
+                                   body.centroid_in_bone_mm);
+    placement.turned_deg = turn_deg(body.bone_from_piece.rotation);
+    if (body.fragment >= 0) {
+      const CutSolid& solid = rebuilt.pieces[body.piece];
+      measure_error(body, plan, placement);
+      measure_contact(number, body, solid, standing, placement);
+      placement.overlap_max_mm = overlap_mm(number, body, solid, standing);
+    }
+    placements.push_back(placement);
+  }
+  return placements;
+}
+
+}  // namespace hallux::assessment

@@ -1,0 +1,49 @@
+/// The wires and screws that an attempt left in the bone, as they lie in it.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assessment/rebuild/bodies.h"
+#include "simulator/cutting/hole/implant_set.h"
+#include "simulator/mesh/bone.h"
+
+namespace hallux::assessment {
+
+/// All points in the operated bone as it lies.
+struct PlacedImplant {
+  bool is_screw = false;
+  /// Where its axis first goes into bone from the head or the driver; where it meets none, its end.
+  Vec3 entry_in_bone_mm{0.0, 0.0, 0.0}, tip_in_bone_mm{0.0, 0.0, 0.0};
+  double diameter_mm = 0.0;
+  /// From below the head, or the driver, to the tip.
+  double length_mm = 0.0;
+  /// Names of the bodies in which at least a millimetre of its axis lies.
+  std::vector<std::string> engages;
+  /// Crossings of the outer skin of the bone by its axis; sawn faces and the canal are none.
+  std::int32_t cortices = 0;
+  /// From its tip to the nearest planned joint surface; nothing where none is planned.
+  std::optional<double> tip_to_joint_mm;
+  /// How often one of its kind was left until it lay there: 1 where it was left and stayed.
+  std::int32_t insertions = 1;
+};
+
+/// What an attempt leaves besides solids: implants that are there, and the bone that bores took.
+struct Fixation {
+  std::vector<PlacedImplant> implants;
+  /// Of all bodies, with a proven bound; 0 where nothing was bored.
+  double holes_mm3 = 0.0, holes_bound_mm3 = 0.0;
+};
+
+/// bodies  of that recording, on that bone
+Fixation fixation_of(const simulator::Recording& recording, const RebuiltBone& rebuilt,
+                     const std::vector<Body>& bodies, const simulator::Bone& bone,
+                     const scenarios::Plan& plan);
+
+/// Whether implants hold each body to another one: a screw through both, or two wires that are not
+/// parallel.
+std::vector<bool> held_by(const Fixation& fixation, const std::vector<Body>& bodies);
+
+}  // namespace hallux::assessment

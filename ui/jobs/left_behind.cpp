@@ -1,0 +1,50 @@
+#include "ui/jobs/left_behind.h"
+
+#include "scenarios/tray/laid_out_tools.h"
+
+namespace hallux::ui {
+
+namespace {
+
+using simulator::CutEvent;
+using simulator::CutEventKind;
+
+/// Of the whole work; the rest is to find how bodies lie.
+constexpr double rebuilt_share = 0.7;
+
+std::vector<std::optional<std::int64_t>> done_ticks_of(const scenarios::Scenario& scenario,
+                                                       const simulator::Recording& recording) {
+  std::vector<std::optional<std::int64_t>> done(scenario.steps.size());
+  for (const CutEvent& event : recording.events) {
+    const bool is_step =
+        event.subject >= 0 && static_cast<std::size_t>(event.subject) < done.size();
+    if (!is_step) continue;
+    auto& tick = done[static_cast<std::size_t>(event.subject)];
+    if (event.kind == CutEventKind::StepDone) tick = event.tick;
+    if (event.kind == CutEventKind::StepReopened) tick.reset();
+  }
+  return done;
+}
+
+}  // namespace
+
+LeftBehind left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
+                       const simulator::Bone& bone, const simulator::Recording& recording,
+                       const Progress& progress) {
+  LeftBehind left{assessment::rebuild(bone, scenarios::tray_of(scenario), recording,
+                                      part_of(progress, 0.0, rebuilt_share), nullptr, {},
+                                      {scenarios::planned_bridges(plan), true}),
+                  {},
+                  {},
+                  {},
+                  {},
+                  done_ticks_of(scenario, recording)};
+  left.bodies = assessment::bodies_of(left.rebuilt, plan, bone.name);
+  left.placements = assessment::placements_of(left.bodies, left.rebuilt, plan);
+  left.fixation = assessment::fixation_of(recording, left.rebuilt, left.bodies, bone, plan);
+  left.is_held = assessment::held_by(left.fixation, left.bodies);
+  report(progress, 1.0);
+  return left;
+}
+
+}  // namespace hallux::ui

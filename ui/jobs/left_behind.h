@@ -1,0 +1,35 @@
+/// What an attempt left behind: its bodies and how they lie, its wires and screws, the steps that
+/// were done.
+/// Inside this corner only.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "assessment/rebuild/bodies.h"
+#include "assessment/rebuild/implants.h"
+
+namespace hallux::ui {
+
+struct LeftBehind {
+  assessment::RebuiltBone rebuilt;
+  std::vector<assessment::Body> bodies;
+  /// Of each body.
+  std::vector<assessment::BodyPlacement> placements;
+  std::vector<bool> is_held;
+  assessment::Fixation fixation;
+  /// Of each step of the scenario, when it was declared done last; nothing: it was not, or taken up
+  /// again.
+  std::vector<std::optional<std::int64_t>> done_ticks;
+};
+
+/// Computed from the recording: nothing of what a score keeps.
+/// plan    the scenario's on this bone
+/// errors  Cancelled
+/// thread  any
+LeftBehind left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
+                       const simulator::Bone& bone, const simulator::Recording& recording,
+                       const Progress& progress = {});
+
+}  // namespace hallux::ui
