@@ -41,21 +41,35 @@ std::int32_t fragment_of(std::size_t piece, const RebuiltBone& rebuilt) {
   return -1;
 }
 
-const scenarios::PlannedFragment* planned_as(const CutSolid& solid, const scenarios::Plan& plan) {
-  const Bvh tree(solid.mesh);
+/// The planned fragment that a piece is: it holds the fragment's point, and is nearer to it in size
+/// than to the whole bone, which holds the point until it is parted.
+const scenarios::PlannedFragment* planned_as(std::size_t piece, const RebuiltBone& rebuilt,
+                                             const scenarios::Plan& plan) {
+  const Bvh tree(rebuilt.pieces[piece].mesh);
+  const double volume_mm3 = rebuilt.piece_volumes_mm3[piece];
   const auto& fragments = plan.fixation.fragments;
   const auto found = std::find_if(
       fragments.begin(), fragments.end(), [&](const scenarios::PlannedFragment& fragment) {
-        return fragment.bone == 0 && tree.contains(fragment.holds_in_bone_mm);
+        return fragment.bone == 0 &&
+               volume_mm3 * volume_mm3 < fragment.volume_mm3 * rebuilt.input_mm3 &&
+               tree.contains(fragment.holds_in_bone_mm);
       });
   return found == fragments.end() ? nullptr : &*found;
 }
 
-std::string name_of(std::size_t piece, std::int32_t fragment, const RebuiltBone& rebuilt,
-                    const scenarios::Plan& plan, const std::string& bone_name) {
-  if (const auto* planned = planned_as(rebuilt.pieces[piece], plan)) return planned->name;
-  const bool is_bone = fragment == 0 && piece == rebuilt.fragments.front().first_piece;
-  return is_bone ? bone_name : "body-" + std::to_string(piece + 1);
+/// Of the bodies that are there, the greatest that is no planned fragment goes by the bone's name.
+void name_bodies(std::vector<Body>& bodies, const RebuiltBone& rebuilt, const scenarios::Plan& plan,
+                 const std::string& bone_name) {
+  Body* rest = nullptr;
+  for (Body& body : bodies) {
+    body.name = "body-" + std::to_string(body.piece + 1);
+    if (const auto* planned = planned_as(body.piece, rebuilt, plan)) {
+      body.name = planned->name;
+    } else if (body.fragment >= 0 && (rest == nullptr || body.volume_mm3 > rest->volume_mm3)) {
+      rest = &body;
+    }
+  }
+  if (rest != nullptr) rest->name = bone_name;
 }
 
 struct SurfacePoint {
@@ -181,13 +195,13 @@ std::vector<Body> bodies_of(const RebuiltBone& rebuilt, const scenarios::Plan& p
     Body body;
     body.piece = piece;
     body.fragment = fragment_of(piece, rebuilt);
-    body.name = name_of(piece, body.fragment, rebuilt, plan, bone_name);
     if (body.fragment >= 0)
       body.bone_from_piece = rebuilt.fields.fragments()[body.fragment].bone_from_fragment;
     body.centroid_in_bone_mm = simulator::centroid_of(rebuilt.pieces[piece].mesh);
     body.volume_mm3 = rebuilt.piece_volumes_mm3[piece];
     bodies.push_back(std::move(body));
   }
+  name_bodies(bodies, rebuilt, plan, bone_name);
   return bodies;
 }
 

@@ -14,8 +14,8 @@ namespace hallux::assessment {
 
 /// A connected part of the bone.
 struct Body {
-  /// Of the planned fragment whose point it holds; of the bone that stayed, the bone's; else
-  /// "body-2", by its place among the pieces.
+  /// Of the planned fragment that it is; of the rest of the bone, the bone's; else "body-2", by its
+  /// place among the pieces.
   std::string name;
   /// Of RebuiltBone::pieces.
   std::size_t piece = 0;

@@ -179,6 +179,7 @@ Fixation fixation_of(const simulator::Recording& recording, const RebuiltBone& r
   if (left.bores.count() == 0) return fixation;
   const Bvh skin(bone.outer);
   std::vector<std::unique_ptr<const Bvh>> trees;
+  trees.reserve(bodies.size());
   for (const Body& body : bodies)
     trees.push_back(std::make_unique<const Bvh>(rebuilt.pieces[body.piece].mesh));
   for (std::int32_t number = 0; number < left.implants.count(); ++number) {

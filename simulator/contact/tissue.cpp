@@ -33,10 +33,6 @@ double TissueMap::clearance_mm(const Vec3& point_in_bone_mm) const noexcept {
   return outer_.signed_distance_mm(point_in_bone_mm);
 }
 
-TissueMaps::TissueMaps(std::span<const Bone* const> bones) {
-  for (const Bone* bone : bones) maps_.push_back(&made_.emplace_back(*bone));
-}
-
 Tissue TissueMap::at(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept {
   const double cortex_mm =
       cortex_ ? cortex_thickness_mm(*cortex_, point_in_bone_mm.x) : all_cortical_mm;

@@ -3,10 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <span>
-#include <vector>
 
 #include "simulator/cutting/field/kerf_set.h"
 #include "simulator/cutting/remaining/remaining_bone.h"
@@ -53,18 +51,6 @@ class TissueMap {
   Bvh outer_;
   std::optional<Bvh> canal_;
   std::optional<CortexLaw> cortex_;
-};
-
-/// Of each bone of an operation.
-class TissueMaps {
- public:
-  explicit TissueMaps(std::span<const Bone* const> bones);
-
-  std::span<const TissueMap* const> all() const noexcept { return maps_; }
-
- private:
-  std::deque<TissueMap> made_;
-  std::vector<const TissueMap*> maps_;
 };
 
 /// What still stands of one fragment: the original bone, or the part of it that the fragment is,

@@ -13,7 +13,6 @@
 
 #include "simulator/base/progress.h"
 #include "simulator/base/time_spread.h"
-#include "simulator/contact/tissue.h"
 #include "simulator/loop/clock_watch.h"
 #include "simulator/loop/locked_memory.h"
 #include "simulator/loop/priority.h"

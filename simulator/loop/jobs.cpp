@@ -16,6 +16,10 @@ constexpr std::chrono::microseconds idle_rest{500};
 
 }  // namespace
 
+TissueMaps::TissueMaps(std::span<const Bone* const> bones) {
+  for (const Bone* bone : bones) maps_.push_back(&made_.emplace_back(*bone));
+}
+
 WholeBones::WholeBones(const SimulationSetup& setup, const WholeBone* first) {
   for (const Bone* bone : setup.bones()) {
     const bool is_had = bones_.empty() && first != nullptr;

@@ -17,6 +17,7 @@
 #include <variant>
 #include <vector>
 
+#include "simulator/contact/tissue.h"
 #include "simulator/jobs/geometry_job.h"
 #include "simulator/loop/lent_results.h"
 #include "simulator/record/ring.h"
@@ -24,7 +25,19 @@
 
 namespace hallux::simulator {
 
-/// The solids and trees of an operation's bones.
+/// The tissues of an operation's bones, which the step asks.
+class TissueMaps {
+ public:
+  explicit TissueMaps(std::span<const Bone* const> bones);
+
+  std::span<const TissueMap* const> all() const noexcept { return maps_; }
+
+ private:
+  std::deque<TissueMap> made_;
+  std::vector<const TissueMap*> maps_;
+};
+
+/// Their solids and trees, which the jobs cut.
 class WholeBones {
  public:
   /// first  where somebody has the first bone's already; borrowed

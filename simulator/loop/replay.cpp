@@ -1,7 +1,6 @@
 #include "simulator/loop/replay.h"
 
 #include "simulator/base/progress.h"
-#include "simulator/contact/tissue.h"
 #include "simulator/loop/jobs.h"
 
 namespace hallux::simulator {

@@ -96,6 +96,36 @@ TEST_F(SawnBar, HasABodyForEachPartWhetherItMovedOrNot) {
   }
 }
 
+TEST_F(SawnBar, APartIsThePlannedFragmentWhoseSizeAndPointItHas) {
+  scenarios::Plan plan;
+  plan.fixation.fragments.push_back({.name = "end",
+                                     .bone = 0,
+                                     .holds_in_bone_mm = {10.0, 0.0, 0.0},
+                                     .volume_mm3 = 9.75 * 64.0,
+                                     .bone_from_rest = {{1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 4.0}}});
+  lead({0.0, 0.0, 3.0});
+  const RebuiltBone bone = rebuilt();
+  const auto bodies = bodies_of(bone, plan, "bar");
+  EXPECT_EQ(bodies[0].name, "bar");
+  EXPECT_EQ(bodies[1].name, "end");
+  const auto placements = placements_of(bodies, bone, plan);
+  EXPECT_NEAR(*placements[1].error_mm, 1.0, 0.02);
+  EXPECT_NEAR(*placements[1].error_deg, 0.0, 0.05);
+  EXPECT_FALSE(placements[0].error_mm);
+}
+
+TEST_F(SawnBar, AWholeBoneIsNoFragmentAlthoughItHoldsItsPoint) {
+  scenarios::Plan plan;
+  plan.fixation.fragments.push_back({.name = "tip",
+                                     .bone = 0,
+                                     .holds_in_bone_mm = {-14.0, 0.0, 0.0},
+                                     .volume_mm3 = 64.0,
+                                     .bone_from_rest = {}});
+  const auto bodies = bodies_of(rebuilt(), plan, "bar");
+  EXPECT_EQ(bodies[0].name, "bar");
+  EXPECT_EQ(bodies[1].name, "body-2");
+}
+
 TEST_F(SawnBar, TellsHowFarAHalfWasLedAndWhatTouches) {
   lead({0.0, 0.0, 4.0}, true);
   const RebuiltBone bone = rebuilt();
