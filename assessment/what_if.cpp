@@ -250,7 +250,7 @@ struct MovedAttempt {
 /// The bone as the kerfs lie now; each face counts as it did before, and is as finished.
 void rebuild_moved(MovedAttempt& moved, const Evidence& before) {
   moved.rebuilt.emplace(rebuild(before.bone, scenarios::tray_of(before.scenario), moved.recording,
-                                {}, &moved.fields));
+                                {}, &moved.fields, {}, {planned_bridges(before.plan)}));
   moved.faces.assign(before.faces.size(), {});
   for (std::size_t cut = 0; cut < before.faces.size(); ++cut) {
     for (const CutFace& was : before.faces[cut]) {

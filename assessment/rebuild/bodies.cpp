@@ -43,16 +43,14 @@ std::int32_t fragment_of(std::size_t piece, const RebuiltBone& rebuilt) {
 
 /// The planned fragment that a piece is: it holds the fragment's point, and is nearer to it in size
 /// than to the whole bone, which holds the point until it is parted.
-const scenarios::PlannedFragment* planned_as(std::size_t piece, const RebuiltBone& rebuilt,
+const scenarios::PlannedFragment* planned_as(const Body& body, const RebuiltBone& rebuilt,
                                              const scenarios::Plan& plan) {
-  const Bvh tree(rebuilt.pieces[piece].mesh);
-  const double volume_mm3 = rebuilt.piece_volumes_mm3[piece];
   const auto& fragments = plan.fixation.fragments;
   const auto found = std::find_if(
       fragments.begin(), fragments.end(), [&](const scenarios::PlannedFragment& fragment) {
         return fragment.bone == 0 &&
-               volume_mm3 * volume_mm3 < fragment.volume_mm3 * rebuilt.input_mm3 &&
-               tree.contains(fragment.holds_in_bone_mm);
+               body.volume_mm3 * body.volume_mm3 < fragment.volume_mm3 * rebuilt.input_mm3 &&
+               body.tree->contains(fragment.holds_in_bone_mm);
       });
   return found == fragments.end() ? nullptr : &*found;
 }
@@ -63,7 +61,7 @@ void name_bodies(std::vector<Body>& bodies, const RebuiltBone& rebuilt, const sc
   Body* rest = nullptr;
   for (Body& body : bodies) {
     body.name = "body-" + std::to_string(body.piece + 1);
-    if (const auto* planned = planned_as(body.piece, rebuilt, plan)) {
+    if (const auto* planned = planned_as(body, rebuilt, plan)) {
       body.name = planned->name;
     } else if (body.fragment >= 0 && (rest == nullptr || body.volume_mm3 > rest->volume_mm3)) {
       rest = &body;
@@ -112,44 +110,31 @@ std::vector<SurfacePoint> sawn_points(const CutSolid& solid) {
   return points;
 }
 
-/// The bodies that are there, with the trees over their surfaces.
-class StandingBodies {
- public:
-  StandingBodies(const std::vector<Body>& bodies, const RebuiltBone& rebuilt) : bodies_(bodies) {
-    for (const Body& body : bodies)
-      trees_.push_back(std::make_unique<const Bvh>(rebuilt.pieces[body.piece].mesh));
+/// Visits the nearest point of each other body that is there within the distance: visit(signed_mm,
+/// way), with the way to it in the bone frame; negative inside.
+template <typename Visit>
+void visit_others(const std::vector<Body>& bodies, const Body& body, const Vec3& point_in_bone_mm,
+                  double within_mm, const Visit& visit) {
+  for (const Body& other : bodies) {
+    if (&other == &body || other.fragment < 0) continue;
+    const RigidTransform& pose = other.bone_from_piece;
+    const Vec3 point_mm = transform_point(inverse(pose), point_in_bone_mm);
+    const auto near = other.tree->nearest(point_mm, within_mm);
+    if (!near) continue;
+    const double signed_mm = near->is_inside ? -near->distance_mm : near->distance_mm;
+    visit(signed_mm, transform_direction(pose, near->point_mm - point_mm));
   }
+}
 
-  /// Visits the nearest point of each other body within the distance: visit(signed_mm, towards),
-  /// with the way to it in the bone frame; negative inside.
-  template <typename Visit>
-  void visit_others(std::size_t body, const Vec3& point_in_bone_mm, double within_mm,
-                    const Visit& visit) const {
-    for (std::size_t other = 0; other < bodies_.size(); ++other) {
-      if (other == body || bodies_[other].fragment < 0) continue;
-      const RigidTransform& pose = bodies_[other].bone_from_piece;
-      const Vec3 point_mm = transform_point(inverse(pose), point_in_bone_mm);
-      const auto near = trees_[other]->nearest(point_mm, within_mm);
-      if (!near) continue;
-      const double signed_mm = near->is_inside ? -near->distance_mm : near->distance_mm;
-      visit(signed_mm, transform_direction(pose, near->point_mm - point_mm));
-    }
-  }
-
- private:
-  const std::vector<Body>& bodies_;
-  std::vector<std::unique_ptr<const Bvh>> trees_;
-};
-
-void measure_contact(std::size_t number, const Body& body, const CutSolid& solid,
-                     const StandingBodies& standing, BodyPlacement& placement) {
+void measure_contact(const std::vector<Body>& bodies, const Body& body, const CutSolid& solid,
+                     BodyPlacement& placement) {
   double sawn_mm2 = 0.0, touching_mm2 = 0.0;
   for (const SurfacePoint& sample : sawn_points(solid)) {
     const Vec3 point_mm = transform_point(body.bone_from_piece, sample.point_mm);
     const Vec3 normal = transform_direction(body.bone_from_piece, sample.normal);
     bool is_touching = false;
     double gap_mm = std::numeric_limits<double>::infinity();
-    standing.visit_others(number, point_mm, facing_mm, [&](double signed_mm, const Vec3& way) {
+    visit_others(bodies, body, point_mm, facing_mm, [&](double signed_mm, const Vec3& way) {
       is_touching = is_touching || signed_mm <= touching_mm;
       const double ahead_mm = glm::dot(way, normal);
       if (signed_mm > 0.0 && ahead_mm >= straight_ahead * signed_mm)
@@ -163,14 +148,12 @@ void measure_contact(std::size_t number, const Body& body, const CutSolid& solid
   if (sawn_mm2 > 0.0) placement.contact_share = touching_mm2 / sawn_mm2;
 }
 
-double overlap_mm(std::size_t number, const Body& body, const CutSolid& solid,
-                  const StandingBodies& standing) {
+double overlap_mm(const std::vector<Body>& bodies, const Body& body, const CutSolid& solid) {
   double most_mm = 0.0;
   const auto ask = [&](const Vec3& point_in_piece_mm) {
     const Vec3 point_mm = transform_point(body.bone_from_piece, point_in_piece_mm);
-    standing.visit_others(number, point_mm, facing_mm, [&](double signed_mm, const Vec3&) {
-      most_mm = std::max(most_mm, -signed_mm);
-    });
+    visit_others(bodies, body, point_mm, facing_mm,
+                 [&](double signed_mm, const Vec3&) { most_mm = std::max(most_mm, -signed_mm); });
   };
   for (const Vec3& point : solid.mesh.points_mm) ask(point);
   for (const SurfacePoint& sample : sawn_points(solid)) ask(sample.point_mm);
@@ -199,6 +182,7 @@ std::vector<Body> bodies_of(const RebuiltBone& rebuilt, const scenarios::Plan& p
       body.bone_from_piece = rebuilt.fields.fragments()[body.fragment].bone_from_fragment;
     body.centroid_in_bone_mm = simulator::centroid_of(rebuilt.pieces[piece].mesh);
     body.volume_mm3 = rebuilt.piece_volumes_mm3[piece];
+    body.tree = std::make_unique<const Bvh>(rebuilt.pieces[piece].mesh);
     bodies.push_back(std::move(body));
   }
   name_bodies(bodies, rebuilt, plan, bone_name);
@@ -207,10 +191,8 @@ std::vector<Body> bodies_of(const RebuiltBone& rebuilt, const scenarios::Plan& p
 
 std::vector<BodyPlacement> placements_of(const std::vector<Body>& bodies,
                                          const RebuiltBone& rebuilt, const scenarios::Plan& plan) {
-  const StandingBodies standing(bodies, rebuilt);
   std::vector<BodyPlacement> placements;
-  for (std::size_t number = 0; number < bodies.size(); ++number) {
-    const Body& body = bodies[number];
+  for (const Body& body : bodies) {
     BodyPlacement placement;
     placement.moved_mm = length_of(transform_point(body.bone_from_piece, body.centroid_in_bone_mm) -
                                    body.centroid_in_bone_mm);
@@ -218,8 +200,8 @@ std::vector<BodyPlacement> placements_of(const std::vector<Body>& bodies,
     if (body.fragment >= 0) {
       const CutSolid& solid = rebuilt.pieces[body.piece];
       measure_error(body, plan, placement);
-      measure_contact(number, body, solid, standing, placement);
-      placement.overlap_max_mm = overlap_mm(number, body, solid, standing);
+      measure_contact(bodies, body, solid, placement);
+      placement.overlap_max_mm = overlap_mm(bodies, body, solid);
     }
     placements.push_back(placement);
   }

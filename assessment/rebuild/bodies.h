@@ -3,12 +3,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "assessment/rebuild/rebuild.h"
 #include "scenarios/plan.h"
+#include "simulator/mesh/bvh.h"
 
 namespace hallux::assessment {
 
@@ -26,6 +28,8 @@ struct Body {
   /// Where it was cut.
   Vec3 centroid_in_bone_mm{0.0, 0.0, 0.0};
   double volume_mm3 = 0.0;
+  /// Over its surface, where it was cut.
+  std::unique_ptr<const simulator::Bvh> tree;
 };
 
 /// In the order of the pieces, what was taken out last.

@@ -16,14 +16,11 @@ namespace {
 using simulator::Bvh;
 using simulator::Capsule;
 using simulator::CutEvent;
+using simulator::engaged_least_mm;
+using simulator::parallel_sine;
 
-/// By less than this an implant holds in no body.
-constexpr double engaged_least_mm = 1.0;
 /// A crossing further from the bone's outer skin is one of a sawn face or of the canal.
 constexpr double on_skin_mm = 1.0e-3;
-/// Wires within 5 degrees are parallel.
-constexpr double parallel_sine = 0.0872;
-
 /// Bores, implants and fragments at the end.
 struct Left {
   Left(const simulator::Recording& recording, const RebuiltBone& rebuilt,
@@ -68,20 +65,20 @@ struct MetBody {
   std::int32_t cortices = 0;
 };
 
-MetBody meet(const Axis& axis, const Body& body, const Bvh& tree, const Bvh& skin) {
+MetBody meet(const Axis& axis, const Body& body, const Bvh& skin) {
   const RigidTransform piece_from_bone = inverse(body.bone_from_piece);
   const Vec3 head_mm = transform_point(piece_from_bone, axis.head_mm);
   const Vec3 tip_mm = transform_point(piece_from_bone, axis.tip_mm);
   const double length_mm = length_of(tip_mm - head_mm);
   MetBody met;
-  for (const auto& inside : inside_intervals(tree, head_mm, tip_mm)) {
+  for (const auto& inside : inside_intervals(*body.tree, head_mm, tip_mm)) {
     const double from_mm = std::max(inside.from_mm, 0.0);
     const double to_mm = std::min(inside.to_mm, length_mm);
     if (!(to_mm > from_mm)) continue;
     met.engaged_mm += to_mm - from_mm;
     if (!met.entry_mm) met.entry_mm = from_mm;
   }
-  for (const auto& crossing : skin_crossings(tree, head_mm, tip_mm)) {
+  for (const auto& crossing : skin_crossings(*body.tree, head_mm, tip_mm)) {
     if (skin.nearest(crossing.point_mm, on_skin_mm)) ++met.cortices;
   }
   return met;
@@ -89,13 +86,12 @@ MetBody meet(const Axis& axis, const Body& body, const Bvh& tree, const Bvh& ski
 
 /// Joint surfaces go along with the bodies that they are on.
 std::optional<double> tip_to_joint_mm(const Vec3& tip_mm, const std::vector<Body>& bodies,
-                                      const std::vector<std::unique_ptr<const Bvh>>& trees,
                                       const simulator::Bone& bone, const scenarios::Plan& plan) {
   std::optional<double> least_mm;
   for (const scenarios::PlannedJointSurface& joint : plan.joint_surfaces) {
     if (joint.bone != 0) continue;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-      if (bodies[i].fragment < 0) continue;
+    for (const Body& body : bodies) {
+      if (body.fragment < 0) continue;
       std::vector<std::uint32_t> on_body;
       for (const std::uint32_t triangle : joint.triangles) {
         const auto& corners = bone.outer.triangles[triangle];
@@ -103,10 +99,10 @@ std::optional<double> tip_to_joint_mm(const Vec3& tip_mm, const std::vector<Body
             (bone.outer.points_mm[corners[0]] + bone.outer.points_mm[corners[1]] +
              bone.outer.points_mm[corners[2]]) /
             3.0;
-        if (trees[i]->nearest(middle_mm, on_skin_mm)) on_body.push_back(triangle);
+        if (body.tree->nearest(middle_mm, on_skin_mm)) on_body.push_back(triangle);
       }
       const auto away_mm = simulator::tip_clearance_mm(
-          transform_point(inverse(bodies[i].bone_from_piece), tip_mm), bone.outer, on_body);
+          transform_point(inverse(body.bone_from_piece), tip_mm), bone.outer, on_body);
       if (away_mm && (!least_mm || *away_mm < *least_mm)) least_mm = away_mm;
     }
   }
@@ -125,34 +121,33 @@ std::int32_t insertions_of(std::int32_t number, const simulator::ImplantSet& imp
 }
 
 void measure_holes(const simulator::BoreSet& bores, const std::vector<Body>& bodies,
-                   const std::vector<std::unique_ptr<const Bvh>>& trees, Fixation& fixation) {
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
+                   Fixation& fixation) {
+  for (const Body& body : bodies) {
     std::vector<Capsule> holes;
     for (const simulator::BorePlace& place : bores.places()) {
-      if (place.fragment == bodies[i].fragment) holes.push_back(capsule_of(place.bore));
+      if (place.fragment == body.fragment) holes.push_back(capsule_of(place.bore));
     }
     if (holes.empty()) continue;
-    const simulator::BoundedVolume volume = simulator::drilled_volume(*trees[i], holes);
+    const simulator::BoundedVolume volume = simulator::drilled_volume(*body.tree, holes);
     fixation.holes_mm3 += volume.volume_mm3;
     fixation.holes_bound_mm3 += volume.bound_mm3;
   }
 }
 
 PlacedImplant place(const simulator::Implant& implant, const Axis& axis,
-                    const std::vector<Body>& bodies,
-                    const std::vector<std::unique_ptr<const Bvh>>& trees, const Bvh& skin) {
+                    const std::vector<Body>& bodies, const Bvh& skin) {
   PlacedImplant placed;
   placed.is_screw = implant.size.is_screw;
   placed.tip_in_bone_mm = axis.tip_mm;
   placed.diameter_mm = 2.0 * implant.size.radius_mm;
   placed.length_mm = implant.size.length_mm;
   std::optional<double> entry_mm;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    if (bodies[i].fragment < 0) continue;
-    const MetBody met = meet(axis, bodies[i], *trees[i], skin);
+  for (const Body& body : bodies) {
+    if (body.fragment < 0) continue;
+    const MetBody met = meet(axis, body, skin);
     placed.cortices += met.cortices;
     if (met.entry_mm && (!entry_mm || *met.entry_mm < *entry_mm)) entry_mm = met.entry_mm;
-    if (met.engaged_mm >= engaged_least_mm) placed.engages.push_back(bodies[i].name);
+    if (met.engaged_mm >= engaged_least_mm) placed.engages.push_back(body.name);
   }
   const double share = entry_mm.value_or(0.0) / implant.size.length_mm;
   placed.entry_in_bone_mm = axis.head_mm + share * (axis.tip_mm - axis.head_mm);
@@ -178,20 +173,16 @@ Fixation fixation_of(const simulator::Recording& recording, const RebuiltBone& r
   const Left left(recording, rebuilt, bone.world_from_bone);
   if (left.bores.count() == 0) return fixation;
   const Bvh skin(bone.outer);
-  std::vector<std::unique_ptr<const Bvh>> trees;
-  trees.reserve(bodies.size());
-  for (const Body& body : bodies)
-    trees.push_back(std::make_unique<const Bvh>(rebuilt.pieces[body.piece].mesh));
   for (std::int32_t number = 0; number < left.implants.count(); ++number) {
     const simulator::Implant& implant = left.implants[number];
     if (implant.is_taken) continue;
     const Axis axis = axis_in_bone(implant, rebuilt);
-    PlacedImplant placed = place(implant, axis, bodies, trees, skin);
-    placed.tip_to_joint_mm = tip_to_joint_mm(axis.tip_mm, bodies, trees, bone, plan);
+    PlacedImplant placed = place(implant, axis, bodies, skin);
+    placed.tip_to_joint_mm = tip_to_joint_mm(axis.tip_mm, bodies, bone, plan);
     placed.insertions = insertions_of(number, left.implants);
     fixation.implants.push_back(std::move(placed));
   }
-  measure_holes(left.bores, bodies, trees, fixation);
+  measure_holes(left.bores, bodies, fixation);
   return fixation;
 }
 

@@ -16,9 +16,7 @@ void Wound::put(std::int32_t fragment, const WoundFragment& standing) noexcept {
 
 KerfPlane Wound::plane(std::int32_t kerf) const noexcept {
   const KerfPlane& plane = kerfs_->plane(kerf);
-  const WoundFragment& standing = fragment_of_kerf(kerf);
-  if (!standing.is_moved) return plane;
-  return {standing.wound_from_fragment * plane.bone_from_kerf, plane.thickness_mm};
+  return {fragment_of_kerf(kerf).wound_from(plane.bone_from_kerf), plane.thickness_mm};
 }
 
 double Wound::clearance_mm(const Vec3& point_in_wound_mm) const noexcept {

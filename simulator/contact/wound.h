@@ -33,6 +33,10 @@ struct WoundFragment {
   RigidTransform fragment_from(const RigidTransform& wound_from_tool) const noexcept {
     return is_moved ? fragment_from_wound * wound_from_tool : wound_from_tool;
   }
+  /// Where something of its frame lies now.
+  RigidTransform wound_from(const RigidTransform& fragment_from_thing) const noexcept {
+    return is_moved ? wound_from_fragment * fragment_from_thing : fragment_from_thing;
+  }
   Vec3 point_from(const Vec3& point_in_wound_mm) const noexcept {
     return is_moved ? transform_point(fragment_from_wound, point_in_wound_mm) : point_in_wound_mm;
   }

@@ -4,27 +4,19 @@
 #include <limits>
 
 #include "simulator/base/units.h"
+#include "simulator/step/carried_implants.h"
 #include "simulator/step/recorded_tool.h"
 
 namespace hallux::simulator {
 
 namespace {
 
-RigidTransform wound_from(std::int32_t fragment, const RigidTransform& fragment_from_thing,
-                          const Wound& wound) noexcept {
-  const WoundFragment& standing = *wound.fragment(fragment);
-  return standing.is_moved ? standing.wound_from_fragment * fragment_from_thing
-                           : fragment_from_thing;
-}
-
 /// Whether a wire or a screw stays in a bore.
 bool has_implant(const RigidTransform& wound_from_bore, const ImplantSet& implants,
                  const Wound& wound) noexcept {
   const auto all = implants.all();
   return std::any_of(all.begin(), all.end(), [&](const Implant& implant) {
-    if (implant.is_taken || wound.fragment(implant.fragment) == nullptr) return false;
-    return is_along(wound_from_bore,
-                    wound_from(implant.fragment, implant.fragment_from_tool, wound));
+    return stands(implant, wound) && is_along(wound_from_bore, wound_from_implant(implant, wound));
   });
 }
 
@@ -33,12 +25,13 @@ BoresAtHand bores_at_hand(const FollowedRecord& record, const Wound& wound) noex
   for (const BorePlace& place : record.bores().places()) {
     Bore& bore = at_hand.bores[at_hand.count++];
     bore = place.bore;
-    if (wound.fragment(place.fragment) == nullptr) {
+    const WoundFragment* const standing = wound.fragment(place.fragment);
+    if (standing == nullptr) {
       bore.depth_mm = -std::numeric_limits<double>::infinity();
       continue;
     }
     at_hand.capsules[static_cast<std::size_t>(place.fragment)].push(capsule_of(bore));
-    bore.body_from_bore = wound_from(place.fragment, bore.body_from_bore, wound);
+    bore.body_from_bore = standing->wound_from(bore.body_from_bore);
     if (has_implant(bore.body_from_bore, record.implants(), wound))
       bore.depth_mm = -std::numeric_limits<double>::infinity();
   }
@@ -171,8 +164,7 @@ bool Boring::leave_implant(const Tool& held, const ToolSite& site, StepWriter& o
 void Boring::take_implant(std::int32_t implant, const ToolHand& hand, const ToolSite& site,
                           StepWriter& out) noexcept {
   const Implant& taken = out.record().implants()[implant];
-  const RigidTransform wound_from_tool =
-      wound_from(taken.fragment, taken.fragment_from_tool, site.wound);
+  const RigidTransform wound_from_tool = wound_from_implant(taken, site.wound);
   take_up(wound_from_tool);
   handle_from_tool_ = inverse(hand.bone_from_handle) * wound_from_tool;
   out.say(CutEventKind::ImplantTaken, implant);

@@ -10,20 +10,6 @@ namespace {
 /// The way along an axis is gone in steps of this at the least: nearer to a surface than that,
 /// otherwise as far as there is none.
 constexpr double least_step_mm = 0.25;
-/// Wires within 5 degrees are parallel.
-constexpr double parallel_sine = 0.0872;
-
-RigidTransform wound_from_implant(const Implant& implant, const Wound& wound) noexcept {
-  const WoundFragment& standing = *wound.fragment(implant.fragment);
-  return standing.is_moved ? standing.wound_from_fragment * implant.fragment_from_tool
-                           : implant.fragment_from_tool;
-}
-
-/// Whether it is there, and what it goes along with stands.
-bool stands(const Implant& implant, const Wound& wound) noexcept {
-  return !implant.is_taken && wound.fragment(implant.fragment) != nullptr;
-}
-
 double way_in_bone_mm(const WoundFragment& standing, const Segment& axis_in_fragment) noexcept {
   const Vec3 way = axis_in_fragment.to - axis_in_fragment.from;
   const double length_mm = length_of(way);
@@ -50,6 +36,14 @@ bool joins(const Implant& implant, std::int32_t fragment, const Wound& wound) no
 }
 
 }  // namespace
+
+bool stands(const Implant& implant, const Wound& wound) noexcept {
+  return !implant.is_taken && wound.fragment(implant.fragment) != nullptr;
+}
+
+RigidTransform wound_from_implant(const Implant& implant, const Wound& wound) noexcept {
+  return wound.fragment(implant.fragment)->wound_from(implant.fragment_from_tool);
+}
 
 double engaged_mm(const Implant& implant, std::int32_t fragment, const Wound& wound) noexcept {
   const WoundFragment& standing = *wound.fragment(fragment);

@@ -14,8 +14,10 @@
 
 namespace hallux::simulator {
 
-/// By less than this an implant holds in no fragment.
-inline constexpr double engaged_least_mm = 1.0;
+/// Whether it is there, and what it goes along with stands.
+bool stands(const Implant& implant, const Wound& wound) noexcept;
+/// needs   it stands
+RigidTransform wound_from_implant(const Implant& implant, const Wound& wound) noexcept;
 
 /// How much of an implant's axis lies within the fragment's outer surface, to a quarter of a
 /// millimetre [mm].

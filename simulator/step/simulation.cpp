@@ -70,11 +70,11 @@ StepOutput Simulation::step(const StepInput& input) noexcept {
   StepOutput output;
   record_.make_tiles_ready(tiles_kept_ready, tiles_touched_per_step);
   StepWriter out(input.line.tick + input.line.ticks - 1, record_, output, next_job_);
-  bone_from_handle_ = bone_from_handle(input.line);
+  bone_from_handle_ = bone_from_world_ * transform_from(input.line.device.world_from_handle);
   metal_.update(record_.implants(), wound());
   apply_commands(input, out);
   watch_faults(input.line.device.faults, out);
-  place_tool(input.line);
+  place_tool();
   announce_pieces(out);
   carry_out_waiting(out);
   carried_.carry_next(wound(), out);
@@ -380,9 +380,9 @@ void Simulation::let_go(StepWriter& out) noexcept {
 
 /// Once started the tool is where the hand is; a fault in that tick does not say where that is, so
 /// it waits.
-void Simulation::place_tool(const TapeLine& line) noexcept {
+void Simulation::place_tool() noexcept {
   if (!clock_.awaits_tool() || faults_ != 0) return;
-  hand_.place_at(bone_from_handle(line));
+  hand_.place_at(bone_from_handle_);
   clock_.note_tool_placed();
 }
 
@@ -427,7 +427,7 @@ void Simulation::take_implant(std::int32_t implant, const TapeLine& line,
 /// While it is worked out how a bone moves, nothing of it is cut.
 ToolHand Simulation::hand_of(const TapeLine& line) const noexcept {
   const bool is_bone_held = !hinge_.is_asked() && forceps_.phase() != Forceps::Phase::Asked;
-  return {bone_from_handle(line), line.device.switches, static_cast<double>(line.ticks) * step_s,
+  return {bone_from_handle_, line.device.switches, static_cast<double>(line.ticks) * step_s,
           is_bone_held, guide_.plane(settings_.guide)};
 }
 
@@ -453,7 +453,7 @@ void Simulation::saw(const Saw& saw, const TapeLine& line, StepWriter& out) noex
 /// While a piece is held, the tool of the record is the piece.
 void Simulation::lead_piece(const TapeLine& line, StepWriter& out) noexcept {
   const GrippedOutcome outcome =
-      forceps_.lead(bone_from_handle(line), static_cast<double>(line.ticks) * step_s, settings_);
+      forceps_.lead(bone_from_handle_, static_cast<double>(line.ticks) * step_s, settings_);
   out.output().torque_in_world_newton_mm =
       transform_direction(world_from_bone_, outcome.pull.torque_newton_mm);
   out.put(sample_of({out.tick(), world_from_bone_}, forceps_.wound_from_piece(), outcome));

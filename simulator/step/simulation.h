@@ -114,15 +114,12 @@ class Simulation {
   void choose_tool(std::int32_t place, StepWriter& out) noexcept;
   void leave_implant(StepWriter& out) noexcept;
   void take_implant(std::int32_t implant, const TapeLine& line, StepWriter& out) noexcept;
-  void place_tool(const TapeLine& line) noexcept;
+  void place_tool() noexcept;
   void move(const TapeLine& line, StepWriter& out) noexcept;
   void saw(const Saw& saw, const TapeLine& line, StepWriter& out) noexcept;
   void lead_piece(const TapeLine& line, StepWriter& out) noexcept;
   void stand_still(StepWriter& out) noexcept;
   void apply_to_effects(StepWriter& out) noexcept;
-  RigidTransform bone_from_handle(const TapeLine& line) const noexcept {
-    return bone_from_world_ * transform_from(line.device.world_from_handle);
-  }
   ToolHand hand_of(const TapeLine& line) const noexcept;
   ToolSite site() const noexcept {
     return {wound(), settings_, world_from_bone_, metal_.capsules()};
@@ -152,6 +149,7 @@ class Simulation {
   Forceps forceps_;
   /// To be given back when the forceps let go; null where there is none.
   const JobResult* gripped_result_ = nullptr;
+  /// Of the line at hand.
   RigidTransform bone_from_handle_;
   std::int32_t next_job_ = 0;
   /// Bits of DeviceFault, of the line before.

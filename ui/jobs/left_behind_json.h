@@ -15,8 +15,8 @@ inline constexpr const char* implants_file_name = "implants.json";
 
 /// In an export: "piece-1.ply".
 std::string piece_file_name(std::size_t piece);
-/// Of a body where pieces are not bodies: a closed wedge that nothing went on after is one piece,
-/// as it is scored, and two bodies. "body-1.ply".
+/// Of a body where a wedge was closed: its halves may be one piece, as they are scored, and are two
+/// bodies. "body-1.ply".
 std::string body_file_name(std::size_t piece);
 
 /// Each body: where it went, how near to the plan, how it stands against the others. Metrics that

@@ -16,6 +16,11 @@ namespace hallux::simulator {
 /// As many as an attempt may leave; one that is taken and left again counts twice.
 inline constexpr std::int32_t implant_limit = 24;
 
+/// With less of its axis than this in it, an implant holds no fragment.
+inline constexpr double engaged_least_mm = 1.0;
+/// Wires within 5 degrees are parallel: together they do not hold.
+inline constexpr double parallel_sine = 0.0872;
+
 struct Implant {
   /// That left it: its place on the tray.
   std::int32_t tool = 0;
