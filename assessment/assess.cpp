@@ -6,6 +6,9 @@
 #include <utility>
 
 #include "assessment/card_facts.h"
+#include "assessment/fixation/measure_fragments.h"
+#include "assessment/fixation/measure_implants.h"
+#include "assessment/fixation/what_is_left.h"
 #include "assessment/ledger.h"
 #include "assessment/measure_closing.h"
 #include "assessment/measure_cut.h"
@@ -67,6 +70,9 @@ void measure_all(Examination& examination, const Evidence& evidence, const Follo
   remark_sawn_after_done(all, evidence);
   add(all, measure_deeds(evidence, progress));
   add(all, measure_closings(evidence));
+  const WhatIsLeft left = what_is_left(evidence);
+  add(all, measure_fragments(left, evidence));
+  add(all, measure_implants(left, evidence));
   add(all, measure_process(evidence, effects));
 }
 

@@ -32,6 +32,12 @@ std::string subject_title(const Scenario& scenario, const RubricItem& item) {
   for (const scenarios::DangerZone& zone : scenario.danger_zones) {
     if (zone.name == item.zone) return zone.title;
   }
+  for (const scenarios::Fragment& fragment : scenario.fragments) {
+    if (fragment.name == item.fragment) return fragment.title;
+  }
+  for (const scenarios::Implant& implant : scenario.implants) {
+    if (implant.name == item.implant) return implant.title;
+  }
   if (scenario.cuts.size() < 2) return "";
   for (const scenarios::ReferenceCut& cut : scenario.cuts) {
     if (cut.name == item.cut) return cut.title;
@@ -130,6 +136,7 @@ const scenarios::ReferenceCut* unfinished_cut_of(const Scenario& scenario, const
   const Measurement* measurement = find_measurement(measurements, item);
   const bool is_whole = measurement == nullptr || measurement->absence == Absence::NotDone ||
                         (measurement->is_measured() && measurement->done_fraction >= 1.0);
+  if (!item.fragment.empty() || !item.implant.empty()) return nullptr;
   if (item.cut.empty() && item.hinge.empty() && is_whole) return nullptr;
   std::string name = item.cut.empty() ? least_finished_cut(scenario, measurements) : item.cut;
   for (const scenarios::ReferenceHinge& hinge : scenario.hinges) {

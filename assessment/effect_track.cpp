@@ -4,6 +4,7 @@
 #include <cmath>
 #include <span>
 
+#include "assessment/process/standing_wound.h"
 #include "assessment/rebuild/open_kerfs.h"
 #include "simulator/base/check.h"
 #include "simulator/cutting/field/kerf_set.h"
@@ -16,19 +17,21 @@ constexpr std::size_t samples_per_report = 4096;
 
 }  // namespace
 
-EffectTrack track_effects(const simulator::Bone& bone, const simulator::SawInHand& hand,
+EffectTrack track_effects(const simulator::Bone& bone, const simulator::Tray& tray, bool is_guided,
                           const simulator::Recording& recording, std::size_t stretch,
                           const Progress& progress) {
   CHECK(stretch > 0);
   const simulator::TissueMap tissue(bone);
-  simulator::KerfSet kerfs(hand.saw.blade, bone.world_from_bone);
-  simulator::ToolEffects effects(bone.world_from_bone, hand);
+  simulator::KerfSet kerfs(tray, bone.world_from_bone);
+  simulator::ToolEffects effects(bone.world_from_bone, {tray.first_saw(), is_guided});
+  std::int32_t tool = 0;
   EffectTrack track;
   const std::size_t count = recording.samples.size();
   open_kerfs(
       kerfs, recording, [](std::int64_t) {},
       [&](std::size_t index, std::span<const simulator::RisenKerf>) {
-        effects.apply(recording.samples[index], {tissue, kerfs, {}});
+        if (kerfs.tool() != tool) effects.hold(tray[tool = kerfs.tool()]);
+        effects.apply(recording.samples[index], standing_wound(tissue, kerfs));
         track.greatest_deflection_mm =
             std::max(track.greatest_deflection_mm, std::abs(effects.flex().deflection_mm));
         const bool ends_stretch = (index + 1) % stretch == 0 || index + 1 == count;

@@ -9,6 +9,7 @@
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
 #include "simulator/step/tool_effects.h"
+#include "simulator/tool/tray.h"
 
 namespace hallux::assessment {
 
@@ -23,10 +24,11 @@ struct EffectTrack {
 
 /// One entry for each `stretch` samples, the last perhaps for fewer. Bone that was picked up still
 /// leads heat away here: a recording holds no bodies of pieces.
+/// is_guided  a guide leads the hand (see simulator::SawInHand)
 /// needs   recording's samples and events are in the order of their ticks; stretch > 0
 /// errors  Cancelled
 /// thread  any
-EffectTrack track_effects(const simulator::Bone& bone, const simulator::SawInHand& hand,
+EffectTrack track_effects(const simulator::Bone& bone, const simulator::Tray& tray, bool is_guided,
                           const simulator::Recording& recording, std::size_t stretch,
                           const Progress& progress = {});
 

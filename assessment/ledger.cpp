@@ -166,13 +166,22 @@ void add_shown_losses(ScoreCard& card) {
                                            full_score_milli - card.score_milli);
 }
 
+template <typename Part>
+const Measurement* first_of_same(std::span<const Measurement> measurements,
+                                 const Part& part) noexcept {
+  const auto found = std::ranges::find_if(
+      measurements, [&](const Measurement& each) { return is_of_same(each, part); });
+  return found == measurements.end() ? nullptr : &*found;
+}
+
 }  // namespace
 
 const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const std::string& metric, const std::string& cut,
                                     const std::string& hinge, const std::string& zone) noexcept {
   for (const Measurement& measurement : measurements) {
-    const bool is_wanted = measurement.metric == metric && measurement.cut == cut;
+    const bool is_wanted = measurement.metric == metric && measurement.cut == cut &&
+                           measurement.fragment.empty() && measurement.implant.empty();
     if (is_wanted && measurement.hinge == hinge && measurement.zone == zone) return &measurement;
   }
   return nullptr;
@@ -180,12 +189,12 @@ const Measurement* find_measurement(std::span<const Measurement> measurements,
 
 const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const RubricItem& item) noexcept {
-  return find_measurement(measurements, item.metric, item.cut, item.hinge, item.zone);
+  return first_of_same(measurements, item);
 }
 
 const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const Gate& gate) noexcept {
-  return find_measurement(measurements, gate.metric, gate.cut, gate.hinge, gate.zone);
+  return first_of_same(measurements, gate);
 }
 
 std::vector<std::int64_t> scale_to_total(std::span<const std::int64_t> parts, std::int64_t scale,

@@ -30,13 +30,21 @@ namespace hallux::assessment {
 database::ScoreCard score_rubric(const scenarios::Rubric& rubric,
                                  std::span<const Measurement> measurements);
 
+/// Whether two measurements, items or gates have the same metric of the same subject.
+template <typename One, typename Other>
+bool is_of_same(const One& one, const Other& other) noexcept {
+  return one.metric == other.metric && one.cut == other.cut && one.hinge == other.hinge &&
+         one.zone == other.zone && one.fragment == other.fragment && one.implant == other.implant;
+}
+
 /// The measurement that an item or gate asks for; nothing (null) where that metric is not measured
 /// yet.
 const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const scenarios::RubricItem& item) noexcept;
 const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const scenarios::Gate& gate) noexcept;
-/// The same by names; of cut, hinge and zone at most one is not empty.
+/// The same by names, of a cut, a hinge, a zone or the whole attempt; of the three at most one is
+/// not empty.
 const Measurement* find_measurement(std::span<const Measurement> measurements,
                                     const std::string& metric, const std::string& cut,
                                     const std::string& hinge = {},

@@ -11,7 +11,7 @@ Measurement measured(scenarios::Metric metric, double value, const Moment& momen
   Measurement made;
   made.metric = name_of(metric);
   made.value = rounded_to_micro(value);
-  made.bound = is_counted(*scenarios::find_metric(made.metric)) ? 0.0 : rounding_bound;
+  made.bound = scenarios::is_counted(*scenarios::find_metric(made.metric)) ? 0.0 : rounding_bound;
   made.start_us = time_us_from_tick(moment.first_tick);
   made.end_us = time_us_from_tick(moment.last_tick + 1);
   made.place_in_bone_mm = place_in_bone_mm;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -17,8 +18,12 @@
 #include "assessment/metrics/resection.h"
 #include "assessment/number_text.h"
 #include "assessment/process/break_throughs.h"
+#include "assessment/process/over_cut.h"
+#include "assessment/process/tools_used.h"
+#include "assessment/rebuild/overhang.h"
 #include "scenarios/metric_names.h"
 #include "scenarios/site/bone_words.h"
+#include "simulator/base/units.h"
 
 namespace hallux::assessment {
 
@@ -32,7 +37,10 @@ bool is_metric_of(const scenarios::MetricName& metric, const PlannedCut& planned
   using scenarios::MetricSubject;
   if (metric.subject == MetricSubject::CutAlong) return planned.is_along_bone;
   if (metric.subject == MetricSubject::CutAcross) return !planned.is_along_bone;
-  return metric.subject == MetricSubject::Cut || metric.subject == MetricSubject::CutOrHinge;
+  // Of a cut that stops at a hinge it is the hinge's.
+  if (metric.metric == Metric::OverCutMm) return planned.hinge.empty();
+  return metric.subject == MetricSubject::Cut || metric.subject == MetricSubject::CutOrHinge ||
+         metric.subject == MetricSubject::CutOrImplant;
 }
 
 Measurement measurement(const PlannedCut& planned, Metric metric, double value,
@@ -213,13 +221,69 @@ void add_ledges(std::vector<Measurement>& made, const PlannedCut& planned,
   made.push_back(std::move(ledges));
 }
 
+/// The angle between two planes, of the two that they make the one nearer to the planned one.
+double included_deg(const Vec3& one, const Vec3& other, double planned_deg) {
+  const double sharp_deg =
+      degree_from_radian(std::acos(std::min(1.0, std::abs(glm::dot(one, other)))));
+  const double blunt_deg = 180.0 - sharp_deg;
+  const bool is_sharp = std::abs(sharp_deg - planned_deg) <= std::abs(blunt_deg - planned_deg);
+  return is_sharp ? sharp_deg : blunt_deg;
+}
+
+/// common_axis_deg, and included_angle_deg where another cut shares the axis and was made.
+void add_axis(std::vector<Measurement>& made, const PlannedCut& planned, const CutFace& face,
+              const Evidence& evidence) {
+  const Moment cutting = cutting_moment(evidence.rebuilt, face.kerf);
+  const double leaves_rad =
+      std::asin(std::min(1.0, std::abs(glm::dot(face.plane.normal, planned.contained_in_bone))));
+  made.push_back(measurement(planned, Metric::CommonAxisDeg, degree_from_radian(leaves_rad),
+                             cutting, planned.exit_point_in_bone_mm));
+  const PlannedCut* const partner = partner_of(planned, evidence.plan);
+  const CutFace* const other =
+      partner == nullptr ? nullptr : counting_face(evidence, partner->name);
+  if (other == nullptr) {
+    made.push_back(absent_of(planned, Metric::IncludedAngleDeg,
+                             partner == nullptr ? Absence::Undefined : Absence::NotMade));
+    return;
+  }
+  const double planned_deg = included_deg(planned.face.normal, partner->face.normal, 0.0);
+  made.push_back(measurement(planned, Metric::IncludedAngleDeg,
+                             included_deg(face.plane.normal, other->plane.normal, planned_deg),
+                             cutting, planned.entry_point_in_bone_mm));
+}
+
+/// over_cut_mm of a cut that stops at no hinge.
+void add_over_cut(std::vector<Measurement>& made, const PlannedCut& planned, const CutFace& face,
+                  std::span<const std::int32_t> kerfs, const Evidence& evidence) {
+  if (!planned.hinge.empty()) return;
+  const OverCut over =
+      measure_over_cut(evidence.recording, evidence.rebuilt, evidence.bone, kerfs, planned);
+  const bool is_over = over.over_mm > 0.0;
+  made.push_back(measurement(planned, Metric::OverCutMm, over.over_mm,
+                             is_over ? Moment{over.first_tick, over.deepest_tick}
+                                     : cutting_moment(evidence.rebuilt, face.kerf),
+                             is_over ? over.place_in_bone_mm : planned.exit_point_in_bone_mm));
+  made.back().bound += over.bound_mm;
+}
+
+void add_right_tool(std::vector<Measurement>& made, const PlannedCut& planned, const CutFace& face,
+                    std::span<const std::int32_t> kerfs, const Evidence& evidence) {
+  Moment moment = cutting_moment(evidence.rebuilt, face.kerf);
+  bool is_right = true;
+  if (planned.blade) {
+    const auto tick = first_cut_with_another(evidence.recording, kerfs,
+                                             static_cast<std::int32_t>(*planned.blade));
+    is_right = !tick.has_value();
+    if (tick) moment = {*tick, *tick};
+  }
+  made.push_back(measurement(planned, Metric::RightTool, is_right ? 1.0 : 0.0, moment,
+                             planned.entry_point_in_bone_mm));
+}
+
 /// plunge_mm, breakthrough_newton and breakthrough_mm_s, of all the cut's kerfs.
 void add_break_throughs(std::vector<Measurement>& made, const PlannedCut& planned,
-                        const std::vector<CutFace>& faces, const RebuiltBone& rebuilt,
-                        const BreakThroughWorld& world) {
-  std::vector<std::int32_t> kerfs;
-  kerfs.reserve(faces.size());
-  for (const CutFace& face : faces) kerfs.push_back(face.kerf);
+                        const std::vector<CutFace>& faces, std::span<const std::int32_t> kerfs,
+                        const RebuiltBone& rebuilt, const BreakThroughWorld& world) {
   const BreakThroughs worst = measure_break_throughs(world, kerfs);
   const Moment plunge = worst.plunge_mm.value > 0.0
                             ? Moment{worst.plunge_mm.first_tick, worst.plunge_mm.last_tick}
@@ -239,6 +303,15 @@ void add_break_throughs(std::vector<Measurement>& made, const PlannedCut& planne
   };
   add(Metric::BreakthroughNewton, worst.force_newton);
   add(Metric::BreakthroughMmS, worst.speed_mm_s);
+}
+
+/// overhang_mm.
+void add_overhang(std::vector<Measurement>& made, const PlannedCut& planned, const CutFace& face,
+                  const RebuiltBone& rebuilt) {
+  const Overhang overhang = measure_overhang(rebuilt, planned);
+  made.push_back(measurement(
+      planned, Metric::OverhangMm, overhang.over_mm, cutting_moment(rebuilt, face.kerf),
+      overhang.over_mm > 0.0 ? overhang.place_in_bone_mm : planned.depth_point_in_bone_mm));
 }
 
 /// depth_mm and step_mm.
@@ -265,17 +338,25 @@ std::vector<Measurement> measure_cut(std::size_t cut, const Evidence& evidence) 
   const ResectionPlan plan{{planned.face.normal, planned.face.offset_mm},
                            planned.depth_point_in_bone_mm,
                            planned.exit_point_in_bone_mm};
+  std::vector<std::int32_t> kerfs;
+  kerfs.reserve(faces.size());
+  for (const CutFace& each : faces) kerfs.push_back(each.kerf);
   std::vector<Measurement> made;
   add_face(made, planned, face, rebuilt);
+  add_axis(made, planned, face, evidence);
   if (planned.is_along_bone) add_resection(made, planned, plan, face, rebuilt);
   add_flatness(made, planned,
                measure_flatness(
                    cutting_tooth_points(evidence.recording, rebuilt, evidence.bone, face.kerf)));
   add_ledges(made, planned, faces, rebuilt);
-  if (planned.is_along_bone)
+  if (planned.is_along_bone) {
     add_harm(made, planned, worst_harm(faces, rebuilt, plan), rebuilt, face.kerf);
+    add_overhang(made, planned, face, rebuilt);
+  }
+  add_over_cut(made, planned, face, kerfs, evidence);
+  add_right_tool(made, planned, face, kerfs, evidence);
   add_break_throughs(
-      made, planned, faces, rebuilt,
+      made, planned, faces, kerfs, rebuilt,
       {evidence.recording, rebuilt.fields.blade(), inverse(evidence.bone.world_from_bone)});
   for (Measurement& each : made) each.done_fraction = face.done_fraction;
   return made;

@@ -51,9 +51,10 @@ FacePose pose_of(const CutFace& face, const PlannedCut& cut) {
   FacePose pose;
   pose.middle_in_bone_mm = middle_of(face);
   const double along = glm::dot(face.plane.normal, normal);
-  const double across = glm::dot(face.plane.normal, glm::cross(cut.axis, normal));
+  const double across = glm::dot(face.plane.normal, glm::cross(cut.contained_in_bone, normal));
   pose.tilt_rad = std::atan2(across, along);
-  pose.roll_rad = std::atan2(glm::dot(face.plane.normal, cut.axis), std::hypot(along, across));
+  pose.roll_rad =
+      std::atan2(glm::dot(face.plane.normal, cut.contained_in_bone), std::hypot(along, across));
   pose.offset_mm = distance_along_mm(face.plane, pose.middle_in_bone_mm, normal) +
                    glm::dot(normal, pose.middle_in_bone_mm) - cut.face.offset_mm;
   return pose;
@@ -69,27 +70,28 @@ RigidTransform shift_by(const Vec3& way_mm) { return {Quat{1.0, 0.0, 0.0, 0.0}, 
 
 /// What a metric of the work is called as a change: its id, and what it is about.
 std::string change_of(const Measurement& measurement) {
-  const std::string& subject = measurement.zone.empty() ? measurement.cut : measurement.zone;
-  return named(measurement.metric, subject);
+  for (const std::string* subject :
+       {&measurement.zone, &measurement.fragment, &measurement.implant, &measurement.cut}) {
+    if (!subject->empty()) return named(measurement.metric, *subject);
+  }
+  return named(measurement.metric, "");
 }
 
 /// Those whose value a change replaces: no face and no piece tells them.
-bool is_of_work(const MetricName& metric) noexcept {
+bool is_of_work(const MetricName& metric, const Measurement& measurement) noexcept {
   if (metric.metric == Metric::JointMarginMm) return false;
   if (metric.subject == MetricSubject::Attempt || metric.subject == MetricSubject::Zone)
     return true;
+  if (!measurement.fragment.empty() || !measurement.implant.empty()) return true;
   return metric.metric == Metric::PlungeMm || metric.metric == Metric::BreakthroughNewton ||
-         metric.metric == Metric::BreakthroughMmS;
+         metric.metric == Metric::BreakthroughMmS || metric.metric == Metric::RightTool ||
+         (metric.metric == Metric::OverCutMm && measurement.hinge.empty());
 }
 
 /// The value nearest to what was that earns all of the points.
 double full_value(const RubricItem& item, double value) noexcept {
   if (!item.is_band) return item.full;
   return std::clamp(value, item.full_low, item.full_high);
-}
-
-bool is_of_same(const Measurement& a, const Measurement& b) noexcept {
-  return a.metric == b.metric && a.cut == b.cut && a.hinge == b.hinge && a.zone == b.zone;
 }
 
 /// Puts what was measured again in the place of what was.
@@ -177,7 +179,7 @@ void WhatIf::know_hinge(const PlannedHinge& hinge) {
 void WhatIf::know_metrics() {
   for (const Measurement& each : examination_.measurements) {
     const MetricName* metric = scenarios::find_metric(each.metric);
-    if (metric == nullptr || !is_of_work(*metric) || !each.is_measured()) continue;
+    if (metric == nullptr || !is_of_work(*metric, each) || !each.is_measured()) continue;
     known_.push_back({change_of(each), std::string(metric->unit), each.value, true});
   }
 }
@@ -222,9 +224,10 @@ RigidTransform move_of_cut(const std::vector<Change>& changes,
   RigidTransform move;
   if (tilt_deg || roll_deg) {
     const double to_rad = pose.tilt_rad + radian_from_degree(tilt_deg.value_or(0.0));
-    const Vec3 roll_axis = glm::cross(cut.face.normal, cut.axis);
-    move = turn(cut.axis, to_rad) * turn(roll_axis, radian_from_degree(roll_deg.value_or(0.0))) *
-           turn(cut.axis, -pose.tilt_rad);
+    const Vec3 roll_axis = glm::cross(cut.face.normal, cut.contained_in_bone);
+    move = turn(cut.contained_in_bone, to_rad) *
+           turn(roll_axis, radian_from_degree(roll_deg.value_or(0.0))) *
+           turn(cut.contained_in_bone, -pose.tilt_rad);
   }
   if (const auto more_mm = asked(changes, known, named("offset", cut.name)))
     move = shift_by(*more_mm * cut.face.normal) * move;

@@ -22,21 +22,41 @@ std::string points_text(std::int64_t milli) {
 struct Subject {
   std::string_view list;
   std::size_t index;
-  std::string_view cut, hinge, zone = {};
+  std::string_view cut, hinge, zone = {}, fragment = {}, implant = {};
 };
 
-void refuse_all_named(const Subject& part, std::string_view file) {
-  refuse_named(part.cut, "cut", path_of(part.list, part.index, "cut"), file);
-  refuse_named(part.hinge, "hinge", path_of(part.list, part.index, "hinge"), file);
-  refuse_named(part.zone, "zone", path_of(part.list, part.index, "zone"), file);
+/// The key under which a part of that metric names what it is about; empty: it names nothing.
+std::string_view wanted_key(const Subject& part, MetricSubject wanted) {
+  switch (wanted) {
+    case MetricSubject::Attempt:
+      return "";
+    case MetricSubject::Zone:
+      return "zone";
+    case MetricSubject::OneFragment:
+      return "fragment";
+    case MetricSubject::OneImplant:
+      return "implant";
+    case MetricSubject::Hinge:
+    case MetricSubject::Closing:
+      return "hinge";
+    case MetricSubject::ClosingOrFragment:
+      return part.fragment.empty() ? "hinge" : "fragment";
+    case MetricSubject::CutOrImplant:
+      return part.implant.empty() ? "cut" : "implant";
+    case MetricSubject::CutOrHinge:
+    case MetricSubject::Piece:
+      return part.hinge.empty() ? "cut" : "hinge";
+    default:
+      return "cut";
+  }
 }
 
-/// Without a zone it is about all of them together.
-void check_zone(const Scenario& scenario, const Subject& part, std::string_view file) {
-  refuse_all_named({part.list, part.index, part.cut, part.hinge}, file);
-  if (part.zone.empty()) return;
-  check_named(scenario.danger_zones, part.zone, "danger zone",
-              path_of(part.list, part.index, "zone"), file);
+void refuse_others(const Subject& part, std::string_view wanted, std::string_view file) {
+  for (const auto& [key, named] :
+       {std::pair{"cut", part.cut}, std::pair{"hinge", part.hinge}, std::pair{"zone", part.zone},
+        std::pair{"fragment", part.fragment}, std::pair{"implant", part.implant}}) {
+    if (key != wanted) refuse_named(named, key, path_of(part.list, part.index, key), file);
+  }
 }
 
 void check_lies_across(const Scenario& scenario, const Subject& part, std::string_view file) {
@@ -47,25 +67,29 @@ void check_lies_across(const Scenario& scenario, const Subject& part, std::strin
   }
 }
 
-/// A cut, a hinge or a zone is named exactly where the part is about one.
+/// An implant, or the alternatives of which one sets some.
+void check_implant(const Scenario& scenario, std::string_view named, const std::string& path,
+                   std::string_view file) {
+  const bool is_group =
+      !named.empty() && std::ranges::any_of(scenario.steps, [&](const OperationStep& step) {
+        return step.one_of == named && !step.implants.empty();
+      });
+  if (!is_group) check_named(scenario.implants, named, "implant", path, file);
+}
+
+/// What the part is about is named, and nothing else. Without a zone it is about all of them.
 void check_subject(const Scenario& scenario, const Subject& part, MetricSubject wanted,
                    std::string_view file) {
-  const std::string cut_path = path_of(part.list, part.index, "cut");
-  const std::string hinge_path = path_of(part.list, part.index, "hinge");
-  if (wanted == MetricSubject::Attempt) return refuse_all_named(part, file);
-  if (wanted == MetricSubject::Zone) return check_zone(scenario, part, file);
-  refuse_named(part.zone, "zone", path_of(part.list, part.index, "zone"), file);
-  const bool may_be_either = wanted == MetricSubject::CutOrHinge || wanted == MetricSubject::Piece;
-  const bool is_about_hinge = wanted == MetricSubject::Hinge || wanted == MetricSubject::Closing ||
-                              (may_be_either && !part.hinge.empty());
-  if (is_about_hinge) {
-    refuse_named(part.cut, "cut", cut_path, file);
-    check_named(scenario.hinges, part.hinge, "hinge", hinge_path, file);
-  } else {
-    refuse_named(part.hinge, "hinge", hinge_path, file);
-    check_named(scenario.cuts, part.cut, "cut", cut_path, file);
-    if (wanted == MetricSubject::CutAcross) check_lies_across(scenario, part, file);
-  }
+  const std::string_view key = wanted_key(part, wanted);
+  refuse_others(part, key, file);
+  const std::string path = path_of(part.list, part.index, key);
+  if (key == "cut") check_named(scenario.cuts, part.cut, "cut", path, file);
+  if (key == "hinge") check_named(scenario.hinges, part.hinge, "hinge", path, file);
+  if (key == "fragment") check_named(scenario.fragments, part.fragment, "fragment", path, file);
+  if (key == "implant") check_implant(scenario, part.implant, path, file);
+  if (key == "zone" && !part.zone.empty())
+    check_named(scenario.danger_zones, part.zone, "danger zone", path, file);
+  if (wanted == MetricSubject::CutAcross) check_lies_across(scenario, part, file);
 }
 
 void check_step_subject(const Scenario& scenario, std::size_t index, std::string_view file) {
@@ -237,8 +261,10 @@ void check_group_weights(const Rubric& rubric, std::string_view file) {
 /// What is to be out is removed by a step, what is to be closed closed by one.
 void check_deed(const Scenario& scenario, const Subject& part, MetricSubject wanted,
                 std::string_view file) {
-  if (wanted != MetricSubject::Piece && wanted != MetricSubject::Closing) return;
-  const StepKind kind = wanted == MetricSubject::Piece ? StepKind::Remove : StepKind::Close;
+  const bool is_closing = wanted == MetricSubject::Closing ||
+                          (wanted == MetricSubject::ClosingOrFragment && part.fragment.empty());
+  if (wanted != MetricSubject::Piece && !is_closing) return;
+  const StepKind kind = is_closing ? StepKind::Close : StepKind::Remove;
   for (const OperationStep& step : scenario.steps) {
     if (step.kind == kind && step.cut == part.cut && step.hinge == part.hinge) return;
   }
@@ -257,13 +283,15 @@ void check_rubric(const Scenario& scenario, std::string_view file) {
       refuse(file, path_of("rubric.items", i, "group"), is_text(item.group) + ", which is no group",
              "name one of rubric.groups");
     }
-    const Subject subject{"rubric.items", i, item.cut, item.hinge, item.zone};
+    const Subject subject{"rubric.items", i,           item.cut, item.hinge, item.zone,
+                          item.fragment,  item.implant};
     check_subject(scenario, subject, find_metric(item.metric)->subject, file);
     check_deed(scenario, subject, find_metric(item.metric)->subject, file);
   }
   for (std::size_t i = 0; i < rubric.gates.size(); ++i) {
     const Gate& gate = rubric.gates[i];
-    const Subject subject{"rubric.gates", i, gate.cut, gate.hinge, gate.zone};
+    const Subject subject{"rubric.gates", i,           gate.cut, gate.hinge, gate.zone,
+                          gate.fragment,  gate.implant};
     check_subject(scenario, subject, find_metric(gate.metric)->subject, file);
     check_deed(scenario, subject, find_metric(gate.metric)->subject, file);
   }

@@ -32,6 +32,18 @@ constexpr std::array<MetricName, static_cast<std::size_t>(Metric::Count)> metric
      {"Seen from the side the face leans by ", "", ", ", " edge distal"},
      false,
      true},
+    {Metric::CommonAxisDeg,
+     "common_axis_deg",
+     "deg",
+     Cut,
+     Lower,
+     {"The face leaves the direction that it is to contain by ", ""}},
+    {Metric::IncludedAngleDeg,
+     "included_angle_deg",
+     "deg",
+     Cut,
+     Band,
+     {"With the cut that shares its axis it includes ", ""}},
     {Metric::LocationMm,
      "location_mm",
      "mm",
@@ -48,9 +60,9 @@ constexpr std::array<MetricName, static_cast<std::size_t>(Metric::Count)> metric
     {Metric::EntryMm,
      "entry_mm",
      "mm",
-     Cut,
+     CutOrImplant,
      Band,
-     {"The face begins ", " off the planned entry", ", too far "},
+     {"It begins ", " off the planned entry", ", too far "},
      false,
      true},
     {Metric::ExitMm,
@@ -151,7 +163,7 @@ constexpr std::array<MetricName, static_cast<std::size_t>(Metric::Count)> metric
     {Metric::OverCutMm,
      "over_cut_mm",
      "mm",
-     Hinge,
+     CutOrHinge,
      Lower,
      {"The blade went ", " past the far cortex", "", "", "The blade stayed inside the far cortex"}},
     {Metric::HingeLost, "hinge_lost", "", Hinge, Lower, {}, true},
@@ -174,15 +186,77 @@ constexpr std::array<MetricName, static_cast<std::size_t>(Metric::Count)> metric
     {Metric::GapMm,
      "gap_mm",
      "mm",
-     Closing,
+     ClosingOrFragment,
      Lower,
      {"Once closed the faces stand apart by up to ", ""}},
     {Metric::ContactShare,
      "contact_share",
      "",
-     Closing,
+     ClosingOrFragment,
      Higher,
      {"Once closed the faces touch on a share of ", ""}},
+    {Metric::ShiftMm, "shift_mm", "mm", OneFragment, Band, {"It was shifted by ", ""}},
+    {Metric::ShiftErrorMm,
+     "shift_error_mm",
+     "mm",
+     OneFragment,
+     Lower,
+     {"It lies ", " from where the plan brings it", ", too far "}},
+    {Metric::TurnErrorDeg,
+     "turn_error_deg",
+     "deg",
+     OneFragment,
+     Lower,
+     {"It is turned by ", " against the plan"}},
+    {Metric::ElevationMm,
+     "elevation_mm",
+     "mm",
+     OneFragment,
+     Band,
+     {"It stands ", " above or below the planned height", ", too far "},
+     false,
+     true},
+    {Metric::Fixed, "fixed", "", OneFragment, Higher, {}, true},
+    {Metric::DirectionDeg,
+     "direction_deg",
+     "deg",
+     OneImplant,
+     Lower,
+     {"It runs ", " off the planned direction", ", its tip too far "}},
+    {Metric::TipToJointMm,
+     "tip_to_joint_mm",
+     "mm",
+     OneImplant,
+     Higher,
+     {"Its tip stays ", " away from the joint surface", "", "",
+      "Its tip reaches the joint surface"}},
+    {Metric::ProtrusionMm,
+     "protrusion_mm",
+     "mm",
+     OneImplant,
+     Band,
+     {"Its tip stands ", " out of the bone", "", "", "Its tip stays inside the bone"}},
+    {Metric::LengthErrorMm,
+     "length_error_mm",
+     "mm",
+     OneImplant,
+     Lower,
+     {"It is ", " off the planned length in bone", ", too "}},
+    {Metric::Cortices,
+     "cortices",
+     "",
+     OneImplant,
+     Higher,
+     {"Cortices in which it holds: ", "", "", "", "It holds in no cortex"}},
+    {Metric::Insertions, "insertions", "", OneImplant, Lower, {"Times that it was set: ", ""}},
+    {Metric::OverhangMm,
+     "overhang_mm",
+     "mm",
+     CutAlong,
+     Lower,
+     {"Bone still stands out by ", " beyond the face", "", "",
+      "No bone stands out beyond the face"}},
+    {Metric::RightTool, "right_tool", "", CutOrImplant, Higher, {}, true},
     {Metric::JointMarginMm,
      "joint_margin_mm",
      "mm",
@@ -334,6 +408,11 @@ const MetricName* find_metric(std::string_view name) noexcept {
   return found == metrics.end() ? nullptr : &*found;
 }
 
+bool is_counted(const MetricName& metric) noexcept {
+  return metric.is_claim || metric.metric == Metric::Cortices ||
+         metric.metric == Metric::Insertions || metric.name.ends_with("_count");
+}
+
 bool is_claim(std::string_view name) noexcept {
   const MetricName* metric = find_metric(name);
   return metric != nullptr && metric->is_claim;
@@ -349,13 +428,19 @@ std::string_view about_text(MetricSubject subject) noexcept {
     case CutAlong:
     case CutAcross:
     case CutOrHinge:
+    case CutOrImplant:
       return "cut";
+    case OneFragment:
+      return "fragment";
+    case OneImplant:
+      return "implant";
     case Hinge:
       return "hinge";
     case Zone:
       return "zone";
     case Piece:
     case Closing:
+    case ClosingOrFragment:
       return "step";
     case Attempt:
       break;

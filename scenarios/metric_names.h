@@ -13,6 +13,8 @@ enum class Metric : std::uint8_t {
   AngleDeg,
   TransverseTiltDeg,
   SagittalTiltDeg,
+  CommonAxisDeg,
+  IncludedAngleDeg,
   LocationMm,
   MeanMm,
   RmsMm,
@@ -41,6 +43,19 @@ enum class Metric : std::uint8_t {
   ShorteningMm,
   GapMm,
   ContactShare,
+  ShiftMm,
+  ShiftErrorMm,
+  TurnErrorDeg,
+  ElevationMm,
+  Fixed,
+  DirectionDeg,
+  TipToJointMm,
+  ProtrusionMm,
+  LengthErrorMm,
+  Cortices,
+  Insertions,
+  OverhangMm,
+  RightTool,
   JointMarginMm,
   DangerContactsCount,
   DangerS,
@@ -78,10 +93,18 @@ enum class MetricSubject : std::uint8_t {
   Hinge,
   /// One cut, or the worse of a hinge's two.
   CutOrHinge,
+  /// One cut, or an implant as below.
+  CutOrImplant,
   /// A cut or a hinge whose piece a step removes.
   Piece,
   /// A hinge that a step closes.
   Closing,
+  /// A hinge that a step closes, or a fragment.
+  ClosingOrFragment,
+  OneFragment,
+  /// A wire or a screw; or a group of alternative steps, of which the implants of the one that was
+  /// carried out are meant, the worst of them.
+  OneImplant,
   /// A danger zone, or none: all of them together.
   Zone,
   /// Nothing: it is about the whole attempt.
@@ -122,6 +145,9 @@ struct MetricName {
   bool is_signed = false;
 };
 
+/// Its value is a number of things, or a claim: exact.
+bool is_counted(const MetricName& metric) noexcept;
+
 /// source  docs/metrics.md
 std::span<const MetricName> known_metrics() noexcept;
 /// Nothing (null) where there is no metric of that name; what is returned lives as long as the
@@ -131,7 +157,7 @@ std::string_view name_of(Metric metric) noexcept;
 /// Whether that metric is known, and a claim.
 bool is_claim(std::string_view name) noexcept;
 
-/// "cut", "hinge", "zone", "step" or "attempt": what the metric is about.
+/// "cut", "hinge", "zone", "fragment", "implant", "step" or "attempt": what the metric is about.
 std::string_view about_text(MetricSubject subject) noexcept;
 /// "lower", "higher" or "band".
 std::string_view sense_text(MetricSense sense) noexcept;

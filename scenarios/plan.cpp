@@ -54,7 +54,7 @@ class Planner {
     for (const PlannedHinge& hinge : plan_.hinges) join(hinge);
     plan_.danger_zones = plan_zones(scenario_, ground_);
     plan_.joint_surfaces = plan_joint_surfaces(scenario_, ground_);
-    plan_.fixation = plan_fixation(scenario_, ground_, plan_.cuts, plan_.joint_surfaces);
+    plan_.fixation = plan_fixation(scenario_, ground_, plan_);
     return std::move(plan_);
   }
 
@@ -114,6 +114,12 @@ class Planner {
     return lay_turned(asked, from == nullptr ? nullptr : &from->face);
   }
 
+  Vec3 contained_in(const AskedCut& asked, const LaidFace& laid) const {
+    const LandmarkPlane& face = asked.cut.face;
+    if (face.kind != FaceKind::Turned) return laid.axis;
+    return ground_.direction(face.contains, asked.bone, asked.path);
+  }
+
   PlannedCut plan_cut(std::size_t index) const {
     const ReferenceCut& cut = scenario_.cuts[index];
     const AskedCut asked{cut, ground_, ground_.bone_index(cut.bone),
@@ -123,6 +129,7 @@ class Planner {
     planned.name = cut.name;
     planned.face = laid.face;
     planned.axis = laid.axis;
+    planned.contained_in_bone = contained_in(asked, laid);
     planned.bone = asked.bone;
     planned.is_along_bone = lies_along_bone(cut);
     planned.is_turned_about_hinge = find_hinge(plan_, cut.face.through) != nullptr;
@@ -240,6 +247,15 @@ std::size_t index_of_cut(const Plan& plan, std::string_view name) noexcept {
 
 const PlannedHinge* find_hinge(const Plan& plan, std::string_view name) noexcept {
   return find_named(plan.hinges, name);
+}
+
+const PlannedCut* partner_of(const PlannedCut& cut, const Plan& plan) noexcept {
+  constexpr double same_sine = 1.75e-3;
+  const auto found = std::ranges::find_if(plan.cuts, [&](const PlannedCut& other) {
+    return &other != &cut && other.bone == cut.bone &&
+           length_of(glm::cross(other.contained_in_bone, cut.contained_in_bone)) <= same_sine;
+  });
+  return found == plan.cuts.end() ? nullptr : &*found;
 }
 
 simulator::PlannedBridges planned_bridges(const Plan& plan) {

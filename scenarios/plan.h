@@ -49,6 +49,8 @@ struct PlannedCut {
   std::size_t bone = 0;
   /// Of the scenario's blades; nothing: any.
   std::optional<std::size_t> blade = {};
+  /// Unit direction that the face is planned to contain: of a turned one its own, else `axis`.
+  Vec3 contained_in_bone{1.0, 0.0, 0.0};
 };
 
 /// The bridge on this bone. Bone beyond its line, towards `outward`, is to stay. The faces that it
@@ -81,6 +83,10 @@ const PlannedCut* find_cut(const Plan& plan, std::string_view name) noexcept;
 /// needs   the plan has it
 std::size_t index_of_cut(const Plan& plan, std::string_view name) noexcept;
 const PlannedHinge* find_hinge(const Plan& plan, std::string_view name) noexcept;
+
+/// The first other cut of the same bone that is planned to contain the same direction, within 0.1
+/// degrees: the other arm of a V, the parallel cut of a slab. Null where there is none.
+const PlannedCut* partner_of(const PlannedCut& cut, const Plan& plan) noexcept;
 
 /// The bridges of the plan's hinges, in their order.
 simulator::PlannedBridges planned_bridges(const Plan& plan);

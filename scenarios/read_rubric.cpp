@@ -80,9 +80,20 @@ DeviceKnots read_device_knots(const JsonNode& node, const MetricName& metric) {
   node.at("device").refuse_value(mend);
 }
 
+/// What an item or a gate is about.
+template <typename Part>
+void read_subject(const JsonNode& node, Part& part) {
+  part.cut = node.name_where_given("cut");
+  part.hinge = node.name_where_given("hinge");
+  part.zone = node.name_where_given("zone");
+  part.fragment = node.name_where_given("fragment");
+  part.implant = node.name_where_given("implant");
+}
+
 RubricItem read_item(const JsonNode& node) {
-  node.expect_keys({"id", "title", "group", "metric", "weight", "origin", "provisional"},
-                   {"cut", "hinge", "zone", "full", "zero", "band", "devices"});
+  node.expect_keys(
+      {"id", "title", "group", "metric", "weight", "origin", "provisional"},
+      {"cut", "hinge", "zone", "fragment", "implant", "full", "zero", "band", "devices"});
   const MetricName& metric = read_metric(node.at("metric"));
   RubricItem item;
   static_cast<Knots&>(item) = read_knots(node, metric);
@@ -91,9 +102,7 @@ RubricItem read_item(const JsonNode& node) {
   item.group = node.at("group").name();
   item.metric = metric.name;
   item.unit = metric.unit;
-  item.cut = node.name_where_given("cut");
-  item.hinge = node.name_where_given("hinge");
-  item.zone = node.name_where_given("zone");
+  read_subject(node, item);
   item.weight_milli = node.at("weight").milli(0.001, 100.0);
   item.origin = node.at("origin").text(1, 1000);
   item.is_provisional = node.at("provisional").boolean();
@@ -106,24 +115,24 @@ RubricItem read_item(const JsonNode& node) {
 
 Gate read_gate(const JsonNode& node) {
   node.expect_keys({"name", "title", "metric", "cap", "origin", "provisional"},
-                   {"cut", "hinge", "zone", "limit", "at_least"});
+                   {"cut", "hinge", "zone", "fragment", "implant", "limit", "at_least"});
   const MetricName& metric = read_metric(node.at("metric"));
   const bool is_at_least = node.has("at_least");
   if (is_at_least == node.has("limit")) {
     node.refuse_value("give either \"limit\", the most that is allowed, or \"at_least\"");
   }
-  return {.name = node.at("name").name(),
-          .title = node.at("title").text(1, 120),
-          .metric = std::string(metric.name),
-          .cut = node.name_where_given("cut"),
-          .unit = std::string(metric.unit),
-          .limit = node.at(is_at_least ? "at_least" : "limit").number(0.0, metric_value_max),
-          .cap_milli = node.at("cap").milli(0.0, 99.0),
-          .origin = node.at("origin").text(1, 1000),
-          .is_provisional = node.at("provisional").boolean(),
-          .hinge = node.name_where_given("hinge"),
-          .zone = node.name_where_given("zone"),
-          .is_at_least = is_at_least};
+  Gate gate;
+  gate.name = node.at("name").name();
+  gate.title = node.at("title").text(1, 120);
+  gate.metric = metric.name;
+  gate.unit = metric.unit;
+  gate.limit = node.at(is_at_least ? "at_least" : "limit").number(0.0, metric_value_max);
+  gate.cap_milli = node.at("cap").milli(0.0, 99.0);
+  gate.origin = node.at("origin").text(1, 1000);
+  gate.is_provisional = node.at("provisional").boolean();
+  gate.is_at_least = is_at_least;
+  read_subject(node, gate);
+  return gate;
 }
 
 }  // namespace

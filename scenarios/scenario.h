@@ -183,6 +183,11 @@ struct OperationStep {
   std::vector<std::string> implants = {};
 };
 
+/// A planned face is sawn in it.
+inline bool is_sawn(const OperationStep& step) noexcept {
+  return step.kind == StepKind::Cut || step.kind == StepKind::Trim;
+}
+
 /// All of the weight up to `full`, none from `zero` on, linear between; where `full` is the greater
 /// one, higher is better.
 /// A band gives full points inside [full_low, full_high] and none outside (zero_low, zero_high).
@@ -211,8 +216,8 @@ struct RubricItem : Knots {
   std::string origin;
   /// No surgeon and no measured expert stands behind them yet.
   bool is_provisional = true;
-  /// What it is about, in place of `cut`.
-  std::string hinge, zone;
+  /// What it is about, in place of `cut`. An implant, or a group of alternatives that set some.
+  std::string hinge, zone, fragment, implant;
   /// In place of its own knots, for the classes named; the others have its own.
   std::vector<DeviceKnots> device_knots;
 };
@@ -226,17 +231,19 @@ struct Gate {
   std::string origin;
   bool is_provisional = true;
   /// What it is about, in place of `cut`.
-  std::string hinge, zone;
+  std::string hinge, zone, fragment, implant;
   /// The limit is the least that is asked for.
   bool is_at_least = false;
 };
 
-/// The cut, the hinge or the zone that an item, a gate or a step is about; empty where it is about
-/// none.
+/// The cut, the hinge, the zone, the fragment or the implant that an item, a gate or a step is
+/// about; empty where it is about none.
 template <typename Part>
 const std::string& subject_of(const Part& part) noexcept {
   if constexpr (requires { part.zone; }) {
-    if (!part.zone.empty()) return part.zone;
+    for (const std::string* name : {&part.zone, &part.fragment, &part.implant}) {
+      if (!name->empty()) return *name;
+    }
   }
   return part.hinge.empty() ? part.cut : part.hinge;
 }

@@ -1,5 +1,7 @@
 #include "assessment/process/followed_effects.h"
 
+#include "assessment/process/standing_wound.h"
+
 namespace hallux::assessment {
 
 namespace {
@@ -27,7 +29,7 @@ void FollowedEffects::follow(const simulator::ToolSample& sample, const simulato
     tool_ = kerfs.tool();
     effects_.hold(kerfs.tray()[tool_]);
   }
-  effects_.apply(sample, {tissue_, kerfs, {}});
+  effects_.apply(sample, standing_wound(tissue_, kerfs));
   steps_.note(sample, effects_);
   for (CutEvent event; effects_.take_event(kerfs, event);) note(event);
   for (std::size_t index = 0; index < contacts_.size(); ++index) {

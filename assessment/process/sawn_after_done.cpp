@@ -15,8 +15,7 @@ using simulator::ToolSample;
 std::optional<std::int32_t> step_of(const scenarios::Scenario& scenario, const std::string& cut) {
   for (std::size_t step = 0; step < scenario.steps.size(); ++step) {
     const scenarios::OperationStep& each = scenario.steps[step];
-    if (each.kind == scenarios::StepKind::Cut && each.cut == cut)
-      return static_cast<std::int32_t>(step);
+    if (is_sawn(each) && each.cut == cut) return static_cast<std::int32_t>(step);
   }
   return std::nullopt;
 }

@@ -36,7 +36,7 @@ std::int32_t fragment_of(std::size_t piece, const RebuiltBone& rebuilt) {
     const RebuiltFragment& fragment = rebuilt.fragments[i];
     const bool is_of =
         piece >= fragment.first_piece && piece < fragment.first_piece + fragment.piece_count;
-    if (is_of) return fragment.is_out ? -1 : static_cast<std::int32_t>(i);
+    if (is_of) return rebuilt.is_piece_out[piece] ? -1 : static_cast<std::int32_t>(i);
   }
   return -1;
 }
@@ -128,24 +128,28 @@ void visit_others(const std::vector<Body>& bodies, const Body& body, const Vec3&
 
 void measure_contact(const std::vector<Body>& bodies, const Body& body, const CutSolid& solid,
                      BodyPlacement& placement) {
-  double sawn_mm2 = 0.0, touching_mm2 = 0.0;
+  double sawn_mm2 = 0.0, touching_mm2 = 0.0, unsure_mm2 = 0.0;
   for (const SurfacePoint& sample : sawn_points(solid)) {
     const Vec3 point_mm = transform_point(body.bone_from_piece, sample.point_mm);
     const Vec3 normal = transform_direction(body.bone_from_piece, sample.normal);
-    bool is_touching = false;
+    bool is_touching = false, is_sure = true;
     double gap_mm = std::numeric_limits<double>::infinity();
     visit_others(bodies, body, point_mm, facing_mm, [&](double signed_mm, const Vec3& way) {
       is_touching = is_touching || signed_mm <= touching_mm;
+      is_sure = is_sure && std::abs(signed_mm - touching_mm) > sample_reach_mm;
       const double ahead_mm = glm::dot(way, normal);
       if (signed_mm > 0.0 && ahead_mm >= straight_ahead * signed_mm)
         gap_mm = std::min(gap_mm, ahead_mm);
     });
     sawn_mm2 += sample.area_mm2;
+    if (!is_sure) unsure_mm2 += sample.area_mm2;
     if (is_touching) touching_mm2 += sample.area_mm2;
     if (gap_mm <= facing_mm)
       placement.gap_max_mm = std::max(placement.gap_max_mm.value_or(0.0), gap_mm);
   }
-  if (sawn_mm2 > 0.0) placement.contact_share = touching_mm2 / sawn_mm2;
+  if (!(sawn_mm2 > 0.0)) return;
+  placement.contact_share = touching_mm2 / sawn_mm2;
+  placement.contact_bound = unsure_mm2 / sawn_mm2;
 }
 
 double overlap_mm(const std::vector<Body>& bodies, const Body& body, const CutSolid& solid) {

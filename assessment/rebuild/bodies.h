@@ -37,6 +37,9 @@ struct Body {
 std::vector<Body> bodies_of(const RebuiltBone& rebuilt, const scenarios::Plan& plan,
                             const std::string& bone_name);
 
+/// A sawn face is sampled so that each point of it has a sample this near.
+inline constexpr double sample_reach_mm = 0.5;
+
 /// How a body lies.
 struct BodyPlacement {
   /// The way of its centroid, and its turn.
@@ -45,6 +48,8 @@ struct BodyPlacement {
   std::optional<double> error_mm, error_deg;
   /// Of the area that was sawn, the part within 0.2 mm of another body; nothing where none was.
   std::optional<double> contact_share;
+  /// How far that share may be from the exact one.
+  double contact_bound = 0.0;
   /// The widest gap between what was sawn and a body that it faces within 5 mm; nothing where it
   /// faces none.
   std::optional<double> gap_max_mm;

@@ -34,9 +34,4 @@ inline constexpr double normal_bound_rad = 1.0e-7;
 /// Of a face where the plan asks for it, up to 100 mm from its points.
 inline constexpr double plane_bound_mm = 100.0 * normal_bound_rad;
 
-/// The value is a claim or a count: exact.
-constexpr bool is_counted(const scenarios::MetricName& metric) noexcept {
-  return metric.is_claim || metric.name.ends_with("_count");
-}
-
 }  // namespace hallux::assessment

@@ -12,7 +12,6 @@ namespace hallux::assessment {
 namespace {
 
 using scenarios::PlannedCut;
-using scenarios::PlannedHinge;
 using simulator::KerfPlane;
 
 Vec3 normal_of(const KerfPlane& plane) noexcept { return axis_z(plane.bone_from_kerf); }
@@ -47,13 +46,12 @@ FaceSamples sample_wall_of_pieces(const RebuiltBone& rebuilt, const simulator::F
 
 CutFace face_of_kerf(const RebuiltBone& rebuilt, std::int32_t index, const scenarios::Plan& plan,
                      std::size_t cut) {
-  const PlannedHinge* hinge = find_hinge(plan, plan.cuts[cut].hinge);
   const RebuiltKerf& kerf = rebuilt.kerfs[static_cast<std::size_t>(index)];
   const KerfPlane& plane = rebuilt.fields.plane(index);
   const std::int32_t side = kept_side(plane, plan.cuts[cut]);
   CutFace face;
   face.kerf = index;
-  face.done_fraction = done_fraction_of(rebuilt, index, hinge);
+  face.done_fraction = done_fraction_of(rebuilt, index, plan, cut);
   face.is_finished = face.done_fraction == 1.0;
   FaceSamples samples = sample_wall_of_pieces(rebuilt, {index, side}, face.piece);
   face.is_wall = !samples.points_in_bone_mm.empty();

@@ -98,7 +98,6 @@ class SharedWedge {
   SharedWedge(const RebuiltBone& rebuilt, const Plan& plan, const PlannedHinge& hinge)
       : rebuilt_(rebuilt),
         plan_(plan),
-        hinge_(hinge),
         first_(index_of_cut(plan, hinge.first_cut)),
         second_(index_of_cut(plan, hinge.second_cut)) {}
 
@@ -132,23 +131,28 @@ class SharedWedge {
     for (std::int32_t kerf = 0; kerf < rebuilt_.fields.count(); ++kerf) {
       const std::size_t cut = cut_in(cuts, kerf);
       if (cut != first_ && cut != second_) continue;
-      if (done_fraction_of(rebuilt_, kerf, &hinge_) >= least_cut) sawn.push_back(kerf);
+      if (done_fraction_of(rebuilt_, kerf, plan_, cut) >= least_cut) sawn.push_back(kerf);
     }
     return sawn;
   }
 
   const RebuiltBone& rebuilt_;
   const Plan& plan_;
-  const PlannedHinge& hinge_;
   std::size_t first_, second_;
 };
 
 }  // namespace
 
-double done_fraction_of(const RebuiltBone& rebuilt, std::int32_t kerf, const PlannedHinge* hinge) {
-  if (hinge == nullptr) return rebuilt.kerfs[static_cast<std::size_t>(kerf)].done_fraction();
+double done_fraction_of(const RebuiltBone& rebuilt, std::int32_t kerf, const Plan& plan,
+                        std::size_t cut) {
+  const PlannedHinge* const hinge = find_hinge(plan, plan.cuts[cut].hinge);
+  const std::optional<scenarios::FaceWindow>& window = plan.cuts[cut].window;
+  if (hinge == nullptr && !window)
+    return rebuilt.kerfs[static_cast<std::size_t>(kerf)].done_fraction();
   const double kerf_mm = rebuilt.fields.plane(kerf).thickness_mm;
-  const double share = opened_share(rebuilt, kerf, window_before(*hinge, kerf_mm));
+  const double share = hinge != nullptr
+                           ? opened_share(rebuilt, kerf, window_before(*hinge, kerf_mm))
+                           : opened_share(rebuilt, kerf, *window);
   return share == 1.0 ? share : std::min(share, almost_done);
 }
 

@@ -24,9 +24,9 @@ std::vector<std::size_t> cuts_of_kerfs(const RebuiltBone& rebuilt, const scenari
                                        const StepEvidence& evidence);
 
 /// How much of what the cut was to open this kerf opened: 1 only where nothing is missing. Without
-/// a hinge the section; with one, the section up to the thickest bridge that is still on target, or
-/// to where the two kerfs lie in each other.
-double done_fraction_of(const RebuiltBone& rebuilt, std::int32_t kerf,
-                        const scenarios::PlannedHinge* hinge);
+/// a hinge the section, as far as the cut's window reaches; with one, the section up to the
+/// thickest bridge that is still on target, or to where the two kerfs lie in each other.
+double done_fraction_of(const RebuiltBone& rebuilt, std::int32_t kerf, const scenarios::Plan& plan,
+                        std::size_t cut);
 
 }  // namespace hallux::assessment

@@ -179,14 +179,15 @@ std::vector<Vec2> outward_row(const std::vector<double>& borders_mm, double v_mm
 }
 
 /// Walks one row of a region outward, until it meets another kerf.
+template <typename IsWanted>
 void count_row(WindowCount& count, const RebuiltBone& rebuilt, std::int32_t index,
                const std::vector<double>& borders_mm, const std::vector<Vec2>& row,
-               const scenarios::PlannedWindow& window) {
+               const IsWanted& is_wanted) {
   const KerfPlane& plane = rebuilt.fields.plane(index);
   for (const Vec2& place_mm : row) {
     const Vec3 point_mm = transform_point(plane.bone_from_kerf, Vec3{place_mm.x, place_mm.y, 0.0});
     if (kerf_open_at(rebuilt, point_mm, index) >= 0) return;
-    if (glm::dot(window.outward, point_mm) > window.limit_mm) continue;
+    if (!is_wanted(point_mm)) continue;
     const auto above = std::upper_bound(borders_mm.begin(), borders_mm.end(), place_mm.x);
     const bool is_bone = (above - borders_mm.begin()) % 2 != 0;
     if (!is_bone) continue;
@@ -209,6 +210,20 @@ void add_opened_row(std::vector<Vec3>& points_mm, const KerfPlane& plane,
   }
 }
 
+/// is_reversed  rows are walked against the kerf's x
+template <typename IsWanted>
+double opened_share_of(const RebuiltBone& rebuilt, std::int32_t index, bool is_reversed,
+                       const IsWanted& is_wanted) {
+  const RebuiltKerf& kerf = rebuilt.kerfs[static_cast<std::size_t>(index)];
+  WindowCount count;
+  for_each_row(kerf, window_step_mm, [&](const std::vector<double>& borders_mm, double v_mm) {
+    count_row(count, rebuilt, index, borders_mm, outward_row(borders_mm, v_mm, is_reversed),
+              is_wanted);
+  });
+  if (count.wanted == 0) return 0.0;
+  return static_cast<double>(count.open) / static_cast<double>(count.wanted);
+}
+
 }  // namespace
 
 std::int32_t kerf_open_at(const RebuiltBone& rebuilt, const Vec3& point_mm, std::int32_t but_for) {
@@ -224,17 +239,18 @@ std::int32_t kerf_open_at(const RebuiltBone& rebuilt, const Vec3& point_mm, std:
 
 double opened_share(const RebuiltBone& rebuilt, std::int32_t index,
                     const scenarios::PlannedWindow& window) {
-  const RebuiltKerf& kerf = rebuilt.kerfs[static_cast<std::size_t>(index)];
   const Vec3 feed =
       transform_direction(rebuilt.fields.plane(index).bone_from_kerf, {1.0, 0.0, 0.0});
-  const bool is_reversed = glm::dot(feed, window.outward) < 0.0;
-  WindowCount count;
-  for_each_row(kerf, window_step_mm, [&](const std::vector<double>& borders_mm, double v_mm) {
-    count_row(count, rebuilt, index, borders_mm, outward_row(borders_mm, v_mm, is_reversed),
-              window);
+  return opened_share_of(
+      rebuilt, index, glm::dot(feed, window.outward) < 0.0,
+      [&](const Vec3& point_mm) { return glm::dot(window.outward, point_mm) <= window.limit_mm; });
+}
+
+double opened_share(const RebuiltBone& rebuilt, std::int32_t index,
+                    const scenarios::FaceWindow& window) {
+  return opened_share_of(rebuilt, index, false, [&](const Vec3& point_mm) {
+    return scenarios::lies_within(window, point_mm);
   });
-  if (count.wanted == 0) return 0.0;
-  return static_cast<double>(count.open) / static_cast<double>(count.wanted);
 }
 
 FaceSamples sample_wall(const CutSolid& piece, const simulator::FaceSource& wall,

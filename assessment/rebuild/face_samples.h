@@ -47,5 +47,8 @@ std::int32_t kerf_open_at(const RebuiltBone& rebuilt, const Vec3& point_mm,
 /// already.
 double opened_share(const RebuiltBone& rebuilt, std::int32_t index,
                     const scenarios::PlannedWindow& window);
+/// The same of the window of a planned face, whichever way the blade came.
+double opened_share(const RebuiltBone& rebuilt, std::int32_t index,
+                    const scenarios::FaceWindow& window);
 
 }  // namespace hallux::assessment

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "assessment/rebuild/taken_out.h"
 #include "simulator/bone/close_bridge.h"
 #include "simulator/cutting/solid/opened_volume.h"
 #include "simulator/cutting/solid/slab_volume.h"
@@ -130,7 +131,7 @@ void FragmentSolids::follow(const Recording& recording, const std::function<void
       if (fragment < standing_.size()) standing_[fragment].kerfs.push_back(frozen);
       ++frozen;
     }
-    if (event.kind == CutEventKind::PieceRemoved) take_out(event);
+    if (event.kind == CutEventKind::PieceRemoved) take_out(event, recording.engine);
     if (event.kind != CutEventKind::FragmentParted) continue;
     const auto parent = static_cast<std::size_t>(event.value);
     if (parent >= standing_.size()) continue;
@@ -205,30 +206,43 @@ void FragmentSolids::take_gone_from(std::vector<CutSolid>& solids) {
   for (const Vec3& place_mm : gone_places_mm_) move_those_at(place_mm, solids, gone_);
 }
 
-void FragmentSolids::take_out(const CutEvent& event) {
+void FragmentSolids::take_out(const CutEvent& event, std::int32_t engine) {
   for (Standing& standing : standing_) {
     if (standing.piece == event.subject && event.subject != 0) standing.is_out = true;
   }
-  gone_places_mm_.push_back(place_of(event));
+  if (engine >= first_engine_with_places) gone_places_mm_.push_back(place_of(event));
 }
 
-void FragmentSolids::keep(std::vector<CutSolid> solids) {
+void FragmentSolids::keep(std::vector<CutSolid> solids, bool are_out) {
   simulator::SortedBodies sorted = sort_bodies(std::move(solids));
   std::move(sorted.bodies.begin(), sorted.bodies.end(), std::back_inserter(rebuilt_.pieces));
   rebuilt_.piece_volumes_mm3.insert(rebuilt_.piece_volumes_mm3.end(), sorted.volumes_mm3.begin(),
                                     sorted.volumes_mm3.end());
+  rebuilt_.is_piece_out.resize(rebuilt_.pieces.size(), are_out);
   rebuilt_.debris_mm3 += sorted.debris_mm3;
   rebuilt_.debris_count += static_cast<std::int32_t>(sorted.crumbs.size());
+}
+
+/// The smallest piece that holds a place is the one that was taken out there.
+void FragmentSolids::mark_pieces_out(std::size_t first) {
+  for (const Vec3& place_mm : gone_places_mm_) {
+    for (std::size_t piece = rebuilt_.pieces.size(); piece-- > first;) {
+      if (!Bvh(rebuilt_.pieces[piece].mesh).contains(place_mm)) continue;
+      rebuilt_.is_piece_out[piece] = true;
+      break;
+    }
+  }
 }
 
 void FragmentSolids::keep_pieces() {
   for (const Standing& standing : standing_) {
     const std::size_t first = rebuilt_.pieces.size();
-    if (standing.bone != nullptr) keep(split_pieces(standing.bone->after_all()));
+    if (standing.bone != nullptr) keep(split_pieces(standing.bone->after_all()), standing.is_out);
+    mark_pieces_out(first);
     rebuilt_.fragments.push_back(
         {standing.piece, first, rebuilt_.pieces.size() - first, standing.is_out});
   }
-  keep(std::move(gone_));
+  keep(std::move(gone_), true);
 }
 
 }  // namespace hallux::assessment

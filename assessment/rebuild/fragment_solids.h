@@ -48,16 +48,17 @@ class FragmentSolids {
   simulator::CutSolid part_from(const Vec3& place_mm, Standing& parent);
   void take_gone_from(std::vector<simulator::CutSolid>& solids);
   static void stand_again(Standing& standing, simulator::CutSolid solid);
-  void take_out(const simulator::CutEvent& event);
+  void take_out(const simulator::CutEvent& event, std::int32_t engine);
   void keep_pieces();
-  void keep(std::vector<simulator::CutSolid> solids);
+  void keep(std::vector<simulator::CutSolid> solids, bool are_out);
+  void mark_pieces_out(std::size_t first);
 
   RebuiltBone& rebuilt_;
   const ClosedHinges& hinges_;
   std::vector<Standing> standing_;
   /// Pieces that were taken out of a fragment before it was parted.
   std::vector<simulator::CutSolid> gone_;
-  /// Where pieces lie that were taken out so far.
+  /// Where pieces lie that were taken out so far; none of before engine 7, which told no place.
   std::vector<Vec3> gone_places_mm_;
 };
 

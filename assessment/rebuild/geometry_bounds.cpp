@@ -76,7 +76,12 @@ std::optional<double> bound_by_face(Metric metric, const CutFace& face, const Pl
   const Vec3 towards = is_along ? plan.normal : Vec3{1.0, 0.0, 0.0};
   switch (metric) {
     case Metric::AngleDeg:
+    case Metric::CommonAxisDeg:
       return normal_bound_deg;
+    case Metric::IncludedAngleDeg:
+      return 2.0 * normal_bound_deg;
+    case Metric::OverhangMm:
+      return field_bound_mm;
     case Metric::TransverseTiltDeg:
     case Metric::SagittalTiltDeg:
       return tilt_bound_deg;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "assessment/rebuild/planned_implants.h"
 #include "simulator/cutting/hole/bore_set.h"
 #include "simulator/cutting/hole/hole_volume.h"
 #include "simulator/cutting/hole/implant_tip.h"
@@ -21,7 +22,14 @@ using simulator::parallel_sine;
 
 /// A crossing further from the bone's outer skin is one of a sawn face or of the canal.
 constexpr double on_skin_mm = 1.0e-3;
-/// Bores, implants and fragments at the end.
+
+/// When an implant was left, and how fragments lay then.
+struct Leaving {
+  std::int64_t tick = 0;
+  simulator::FragmentPoses fragments;
+};
+
+/// Bores, implants and fragments at the end, and of each implant how it was left.
 struct Left {
   Left(const simulator::Recording& recording, const RebuiltBone& rebuilt,
        const RigidTransform& world_from_bone)
@@ -37,24 +45,49 @@ struct Left {
 
   simulator::BoreSet bores;
   simulator::ImplantSet implants;
+  std::vector<Leaving> leavings;
 
  private:
   void apply(const CutEvent& event, simulator::FragmentPoses& fragments) {
     if (!fragments.apply(event)) return;
     bores.apply(event, fragments);
-    implants.apply(event, fragments);
+    if (!implants.apply(event, fragments)) return;
+    if (event.kind == simulator::CutEventKind::ImplantLeft)
+      leavings.push_back({event.tick, fragments});
   }
 };
+
+/// Where a fragment lay; before it was parted, with the one that it was a part of.
+const RigidTransform& pose_of(std::int32_t fragment, const simulator::FragmentPoses& then,
+                              const simulator::FragmentPoses& last) {
+  while (fragment >= then.count()) fragment = last[fragment].parent;
+  return then[fragment].bone_from_fragment;
+}
 
 /// An implant's axis as it lies.
 struct Axis {
   Vec3 head_mm, tip_mm;
 };
 
-Axis axis_in_bone(const simulator::Implant& implant, const RebuiltBone& rebuilt) {
-  const RigidTransform pose =
-      rebuilt.fields.fragments()[implant.fragment].bone_from_fragment * implant.fragment_from_tool;
+Axis axis_in_bone(const simulator::Implant& implant, const RigidTransform& bone_from_fragment) {
+  const RigidTransform pose = bone_from_fragment * implant.fragment_from_tool;
   return {pose.translation_mm - implant.size.length_mm * axis_x(pose), pose.translation_mm};
+}
+
+/// A body that is there, and how it lies.
+struct LyingBody {
+  const Body& body;
+  RigidTransform bone_from_piece;
+};
+
+std::vector<LyingBody> lying(const std::vector<Body>& bodies, const RebuiltBone& rebuilt,
+                             const simulator::FragmentPoses& then) {
+  std::vector<LyingBody> lie;
+  for (const Body& body : bodies) {
+    if (body.fragment >= 0)
+      lie.push_back({body, pose_of(body.fragment, then, rebuilt.fields.fragments())});
+  }
+  return lie;
 }
 
 /// One body as an axis meets it.
@@ -62,11 +95,14 @@ struct MetBody {
   double engaged_mm = 0.0;
   /// Way from the head to where the axis first goes in; nothing where it meets none of it.
   std::optional<double> entry_mm;
+  /// From where it leaves the body for the last time to the tip; 0 where that lies in it.
+  std::optional<double> beyond_mm;
   std::int32_t cortices = 0;
 };
 
-MetBody meet(const Axis& axis, const Body& body, const Bvh& skin) {
-  const RigidTransform piece_from_bone = inverse(body.bone_from_piece);
+MetBody meet(const Axis& axis, const LyingBody& lies, const Bvh& skin) {
+  const Body& body = lies.body;
+  const RigidTransform piece_from_bone = inverse(lies.bone_from_piece);
   const Vec3 head_mm = transform_point(piece_from_bone, axis.head_mm);
   const Vec3 tip_mm = transform_point(piece_from_bone, axis.tip_mm);
   const double length_mm = length_of(tip_mm - head_mm);
@@ -77,6 +113,7 @@ MetBody meet(const Axis& axis, const Body& body, const Bvh& skin) {
     if (!(to_mm > from_mm)) continue;
     met.engaged_mm += to_mm - from_mm;
     if (!met.entry_mm) met.entry_mm = from_mm;
+    met.beyond_mm = length_mm - to_mm;
   }
   for (const auto& crossing : skin_crossings(*body.tree, head_mm, tip_mm)) {
     if (skin.nearest(crossing.point_mm, on_skin_mm)) ++met.cortices;
@@ -85,13 +122,12 @@ MetBody meet(const Axis& axis, const Body& body, const Bvh& skin) {
 }
 
 /// Joint surfaces go along with the bodies that they are on.
-std::optional<double> tip_to_joint_mm(const Vec3& tip_mm, const std::vector<Body>& bodies,
+std::optional<double> tip_to_joint_mm(const Vec3& tip_mm, const std::vector<LyingBody>& bodies,
                                       const simulator::Bone& bone, const scenarios::Plan& plan) {
   std::optional<double> least_mm;
   for (const scenarios::PlannedJointSurface& joint : plan.joint_surfaces) {
     if (joint.bone != 0) continue;
-    for (const Body& body : bodies) {
-      if (body.fragment < 0) continue;
+    for (const auto& [body, bone_from_piece] : bodies) {
       std::vector<std::uint32_t> on_body;
       for (const std::uint32_t triangle : joint.triangles) {
         const auto& corners = bone.outer.triangles[triangle];
@@ -102,22 +138,11 @@ std::optional<double> tip_to_joint_mm(const Vec3& tip_mm, const std::vector<Body
         if (body.tree->nearest(middle_mm, on_skin_mm)) on_body.push_back(triangle);
       }
       const auto away_mm = simulator::tip_clearance_mm(
-          transform_point(inverse(body.bone_from_piece), tip_mm), bone.outer, on_body);
+          transform_point(inverse(bone_from_piece), tip_mm), bone.outer, on_body);
       if (away_mm && (!least_mm || *away_mm < *least_mm)) least_mm = away_mm;
     }
   }
   return least_mm;
-}
-
-/// How often the same driver left one until this, taken ones among them that none replaced yet.
-std::int32_t insertions_of(std::int32_t number, const simulator::ImplantSet& implants) {
-  std::int32_t insertions = 1;
-  for (std::int32_t before = number - 1; before >= 0; --before) {
-    if (implants[before].tool != implants[number].tool) continue;
-    if (!implants[before].is_taken) break;
-    ++insertions;
-  }
-  return insertions;
 }
 
 void measure_holes(const simulator::BoreSet& bores, const std::vector<Body>& bodies,
@@ -135,22 +160,24 @@ void measure_holes(const simulator::BoreSet& bores, const std::vector<Body>& bod
 }
 
 PlacedImplant place(const simulator::Implant& implant, const Axis& axis,
-                    const std::vector<Body>& bodies, const Bvh& skin) {
+                    const std::vector<LyingBody>& bodies, const Bvh& skin) {
   PlacedImplant placed;
   placed.is_screw = implant.size.is_screw;
   placed.tip_in_bone_mm = axis.tip_mm;
   placed.diameter_mm = 2.0 * implant.size.radius_mm;
   placed.length_mm = implant.size.length_mm;
-  std::optional<double> entry_mm;
-  for (const Body& body : bodies) {
-    if (body.fragment < 0) continue;
+  placed.is_taken = implant.is_taken;
+  std::optional<double> entry_mm, beyond_mm;
+  for (const LyingBody& body : bodies) {
     const MetBody met = meet(axis, body, skin);
     placed.cortices += met.cortices;
     if (met.entry_mm && (!entry_mm || *met.entry_mm < *entry_mm)) entry_mm = met.entry_mm;
-    if (met.engaged_mm >= engaged_least_mm) placed.engages.push_back(body.name);
+    if (met.beyond_mm && (!beyond_mm || *met.beyond_mm < *beyond_mm)) beyond_mm = met.beyond_mm;
+    if (met.engaged_mm >= engaged_least_mm) placed.engages.push_back(body.body.name);
   }
   const double share = entry_mm.value_or(0.0) / implant.size.length_mm;
   placed.entry_in_bone_mm = axis.head_mm + share * (axis.tip_mm - axis.head_mm);
+  placed.protrusion_mm = beyond_mm.value_or(0.0);
   return placed;
 }
 
@@ -175,13 +202,18 @@ Fixation fixation_of(const simulator::Recording& recording, const RebuiltBone& r
   const Bvh skin(bone.outer);
   for (std::int32_t number = 0; number < left.implants.count(); ++number) {
     const simulator::Implant& implant = left.implants[number];
-    if (implant.is_taken) continue;
-    const Axis axis = axis_in_bone(implant, rebuilt);
-    PlacedImplant placed = place(implant, axis, bodies, skin);
-    placed.tip_to_joint_mm = tip_to_joint_mm(axis.tip_mm, bodies, bone, plan);
-    placed.insertions = insertions_of(number, left.implants);
-    fixation.implants.push_back(std::move(placed));
+    const Leaving& leaving = left.leavings[static_cast<std::size_t>(number)];
+    const simulator::FragmentPoses& fragments =
+        implant.is_taken ? leaving.fragments : rebuilt.fields.fragments();
+    const std::vector<LyingBody> lie = lying(bodies, rebuilt, fragments);
+    const Axis axis =
+        axis_in_bone(implant, pose_of(implant.fragment, fragments, rebuilt.fields.fragments()));
+    PlacedImplant placed = place(implant, axis, lie, skin);
+    placed.tip_to_joint_mm = tip_to_joint_mm(axis.tip_mm, lie, bone, plan);
+    placed.left_tick = leaving.tick;
+    (implant.is_taken ? fixation.taken : fixation.implants).push_back(std::move(placed));
   }
+  assign_planned(fixation, plan.fixation);
   measure_holes(left.bores, bodies, fixation);
   return fixation;
 }

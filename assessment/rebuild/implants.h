@@ -12,7 +12,8 @@
 
 namespace hallux::assessment {
 
-/// All points in the operated bone as it lies.
+/// All points in the operated bone as it lies; of what was taken out again, as it lay when it was
+/// left.
 struct PlacedImplant {
   bool is_screw = false;
   /// Where its axis first goes into bone from the head or the driver; where it meets none, its end.
@@ -26,13 +27,24 @@ struct PlacedImplant {
   std::int32_t cortices = 0;
   /// From its tip to the nearest planned joint surface; nothing where none is planned.
   std::optional<double> tip_to_joint_mm;
-  /// How often one of its kind was left until it lay there: 1 where it was left and stayed.
+  /// How far its tip stands out of bone; 0 where it lies in bone, or the axis meets none.
+  double protrusion_mm = 0.0;
+  /// When it was left.
+  std::int64_t left_tick = 0;
+  /// It is in the driver again.
+  bool is_taken = false;
+  /// Of Plan::fixation's implants, the one that it stands for; nothing of one beyond the plan, and
+  /// of one that was taken out for another try.
+  std::optional<std::size_t> planned;
+  /// How often it was set until it lay there, with the tries that were taken out.
   std::int32_t insertions = 1;
 };
 
 /// What an attempt leaves besides solids: implants that are there, and the bone that bores took.
 struct Fixation {
   std::vector<PlacedImplant> implants;
+  /// What was taken out again, in the order in which it was left.
+  std::vector<PlacedImplant> taken;
   /// Of all bodies, with a proven bound; 0 where nothing was bored.
   double holes_mm3 = 0.0, holes_bound_mm3 = 0.0;
 };

@@ -78,7 +78,7 @@ RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Tray& tray,
                     const OpenedFields* opened, const SampleFollower& follow,
                     const ClosedHinges& hinges) {
   RebuiltBone rebuilt{
-      simulator::KerfSet(tray, bone.world_from_bone), {}, {}, {}, {}, 0.0, 0.0, 0.0, 0};
+      simulator::KerfSet(tray, bone.world_from_bone), {}, {}, {}, {}, {}, 0.0, 0.0, 0.0, 0};
   if (opened != nullptr) {
     CHECK(!follow);
     CHECK(are_of(*opened, tray, bone.world_from_bone, recording));

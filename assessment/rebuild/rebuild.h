@@ -61,6 +61,8 @@ struct RebuiltBone {
   /// anything moved.
   std::vector<simulator::CutSolid> pieces;
   std::vector<double> piece_volumes_mm3;
+  /// Of each piece: it was taken out of the wound.
+  std::vector<bool> is_piece_out;
   /// As in `fields`; the bone is the first.
   std::vector<RebuiltFragment> fragments;
   double input_mm3 = 0.0;

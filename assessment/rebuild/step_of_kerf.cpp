@@ -24,7 +24,7 @@ std::vector<CutStep> cut_steps_of(const scenarios::Plan& plan, const StepEvidenc
   std::vector<CutStep> steps;
   for (std::size_t i = 0; i < evidence.steps.size(); ++i) {
     const scenarios::OperationStep& step = evidence.steps[i];
-    if (step.kind != StepKind::Cut) continue;
+    if (!is_sawn(step)) continue;
     steps.push_back({static_cast<std::int32_t>(i), index_of_cut(plan, step.cut)});
   }
   return steps;

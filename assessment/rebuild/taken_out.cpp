@@ -20,8 +20,6 @@ using simulator::CutEventKind;
 using simulator::Recording;
 using simulator::ToolStatus;
 
-constexpr std::int32_t first_engine_with_places = 7;
-
 /// The tick whose kerfs the last job of pieces before a removal saw; the removal's own without one.
 std::int64_t seen_tick(const std::vector<simulator::RecordedJob>& jobs, std::int64_t removal_tick) {
   std::int64_t seen = -1;

@@ -12,6 +12,9 @@
 
 namespace hallux::assessment {
 
+/// From it on events tell where a piece that was taken out lay.
+inline constexpr std::int32_t first_engine_with_places = 7;
+
 struct TakenOut {
   std::int64_t tick = 0;
   /// As the piece was when its place was worked out last before it was taken.

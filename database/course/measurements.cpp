@@ -15,7 +15,8 @@ namespace {
 
 constexpr const char* row_columns =
     "line, metric, cut, hinge, zone, value, absence, done_fraction, bound, direction, "
-    "detail_json, remark, start_us, end_us, x_in_bone_mm, y_in_bone_mm, z_in_bone_mm";
+    "detail_json, remark, start_us, end_us, x_in_bone_mm, y_in_bone_mm, z_in_bone_mm, fragment, "
+    "implant";
 
 /// What a column of numbers gives back for it: SQLite keeps no minus zero.
 double as_kept(double number) noexcept { return number == 0.0 ? 0.0 : number; }
@@ -49,6 +50,13 @@ void add_to(Digester& digester, const Measurement& measurement) {
   for (const double number : numbers_of(measurement)) digester.add_double(number);
   digester.add_int(measurement.start_us);
   digester.add_int(measurement.end_us);
+  // Rows of before have neither, and keep their digests.
+  for (const auto& [kind, name] :
+       {std::pair{"fragment", &measurement.fragment}, std::pair{"implant", &measurement.implant}}) {
+    if (name->empty()) continue;
+    digester.add_text(kind);
+    digester.add_text(*name);
+  }
 }
 
 [[noreturn]] void refuse_row() {
@@ -71,7 +79,8 @@ Measurement measurement_in(SQLite::Statement& row) {
   Vec3& place = measurement.place_in_bone_mm;
   read_columns(row, 1, measurement.metric, measurement.cut, measurement.hinge, measurement.zone,
                value, absence, measurement.done_fraction, measurement.bound, measurement.direction,
-               detail, remark, measurement.start_us, measurement.end_us, place.x, place.y, place.z);
+               detail, remark, measurement.start_us, measurement.end_us, place.x, place.y, place.z,
+               measurement.fragment, measurement.implant);
   measurement.absence = enumerator_of<Absence>(absence);
   measurement.remark = enumerator_of<Remark>(remark);
   measurement.detail = detail_from_json(detail);
@@ -129,13 +138,13 @@ void insert_rows(Database& database, std::int64_t set_number,
   auto insert = prepared(
       database, std::string("INSERT INTO measurement (measurement_set_id, ") + row_columns +
                     ") VALUES (?1, ?2, ?3, ?4, ?5, ?6, iif(?8 = '', ?7, NULL), ?8, ?9, "
-                    "?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17, ?18)");
+                    "?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17, ?18, ?19, ?20)");
   std::int64_t line = 0;
   for (const Measurement& each : measurements) {
     const auto [value, done_fraction, bound, x, y, z] = numbers_of(each);
     run_again(insert, set_number, line++, each.metric, each.cut, each.hinge, each.zone, value,
               each.absence, done_fraction, bound, each.direction, json_from_detail(each.detail),
-              each.remark, each.start_us, each.end_us, x, y, z);
+              each.remark, each.start_us, each.end_us, x, y, z, each.fragment, each.implant);
   }
 }
 

@@ -97,6 +97,9 @@ struct Measurement {
   Vec3 place_in_bone_mm{0.0, 0.0, 0.0};
   /// The danger zone's name; empty where all of them together are meant.
   std::string zone = {};
+  /// The planned fragment's name, the planned implant's, or that of a group of alternative steps of
+  /// which one set some.
+  std::string fragment = {}, implant = {};
   /// The value is no further from the exact one, by the grids and steps that it is computed on; the
   /// rounding of what was recorded is not in it.
   double bound = 0.0;

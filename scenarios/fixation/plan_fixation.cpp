@@ -1,11 +1,13 @@
 // Implants are planned on the bone as it is when they are set: with the fragments where their
-// shifts bring them. So an axis is carried back into a fragment's own place before it is asked
-// what it meets there. What a closing adds is known to the simulator alone, and is small.
+// shifts and closed hinges bring them. So an axis is carried back into a fragment's own place
+// before it is asked what it meets there. What driving home adds is known to the simulator alone,
+// and is small.
 #include "scenarios/fixation/plan_fixation.h"
 
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "scenarios/fixation/bone_pieces.h"
 #include "scenarios/geometry/part_path.h"
@@ -26,6 +28,23 @@ RigidTransform turn_about(const Vec3& axis, const Vec3& through_mm, double angle
   return {turn.rotation, through_mm - transform_direction(turn, through_mm)};
 }
 
+/// Lays the face of the half that turns on that of the half that stays.
+RigidTransform closing_turn(const PlannedHinge& hinge, const Plan& plan) {
+  const simulator::HingeLine& line = hinge.bridge.line;
+  Vec3 fixed = find_cut(plan, hinge.first_cut)->face.normal;
+  Vec3 moved = find_cut(plan, hinge.second_cut)->face.normal;
+  // A normal points away from the half that has the face.
+  if (glm::dot(moved, hinge.bridge.toward_moved) > 0.0) std::swap(fixed, moved);
+  const auto turned = [&](double angle_rad) {
+    return turn_about(line.axis, line.point_in_bone_mm, angle_rad);
+  };
+  const RigidTransform one = turned(hinge.wedge_rad), other = turned(-hinge.wedge_rad);
+  const auto apart = [&](const RigidTransform& turn) {
+    return glm::dot(transform_direction(turn, moved), fixed);
+  };
+  return apart(one) <= apart(other) ? one : other;
+}
+
 /// A part of a bone as an implant meets it: a fragment where it was shifted to, or the rest.
 struct Body {
   std::size_t bone = 0, piece = 0;
@@ -34,16 +53,18 @@ struct Body {
 
 class FixationPlanner {
  public:
-  FixationPlanner(const Scenario& scenario, const Ground& ground, std::span<const PlannedCut> cuts,
-                  std::span<const PlannedJointSurface> surfaces)
-      : scenario_(scenario), ground_(ground), surfaces_(surfaces) {
+  FixationPlanner(const Scenario& scenario, const Ground& ground, const Plan& plan)
+      : scenario_(scenario), ground_(ground), plan_(plan) {
     for (std::size_t bone = 0; bone < ground.bone_count(); ++bone)
-      pieces_.emplace_back(ground.bone(bone).outer, walls_of(cuts, bone));
+      pieces_.emplace_back(ground.bone(bone).outer, walls_of(plan.cuts, bone));
   }
 
   PlannedFixation planned() {
     for (std::size_t i = 0; i < scenario_.fragments.size(); ++i) plan_fragment(i);
     for (std::size_t i = 0; i < scenario_.shifts.size(); ++i) plan_shift(i);
+    for (const OperationStep& step : scenario_.steps) {
+      if (step.kind == StepKind::Close) close(*find_hinge(plan_, step.hinge));
+    }
     std::size_t wires = 0, screws = 0;
     for (const Implant& implant : scenario_.implants) {
       const bool is_wire = implant.kind == ImplantKind::Wire;
@@ -72,6 +93,7 @@ class FixationPlanner {
     const std::string path = part_path(scenario_, "fragments", index, fragment.name);
     PlannedFragment planned{.name = fragment.name, .bone = ground_.bone_index(fragment.bone)};
     planned.holds_in_bone_mm = ground_.point(fragment.holds, planned.bone, path + ".holds");
+    planned.foot_dorsal_in_bone = ground_.direction("foot_dorsal", planned.bone, path);
     const BonePieces& pieces = pieces_[planned.bone];
     const std::optional<std::size_t> piece = pieces.near(planned.holds_in_bone_mm);
     const std::string of_bone = " of the bone \"" + ground_.bone(planned.bone).name + "\"";
@@ -113,6 +135,20 @@ class FixationPlanner {
     moved.bone_from_rest = planned.bone_from_before * moved.bone_from_rest;
     bodies_[fragment].bone_from_rest = moved.bone_from_rest;
     fixation_.shifts.push_back(planned);
+  }
+
+  /// What lies on the half that turns lies where the wedge is closed.
+  void close(const PlannedHinge& hinge) {
+    const simulator::PlannedBridge& bridge = hinge.bridge;
+    const RigidTransform turn = closing_turn(hinge, plan_);
+    for (std::size_t i = 0; i < fixation_.fragments.size(); ++i) {
+      PlannedFragment& fragment = fixation_.fragments[i];
+      const double beyond_mm =
+          glm::dot(bridge.toward_moved, fragment.holds_in_bone_mm - bridge.line.point_in_bone_mm);
+      if (fragment.bone != hinge.bone || beyond_mm <= 0.0) continue;
+      fragment.bone_from_rest = turn * fragment.bone_from_rest;
+      bodies_[i].bone_from_rest = fragment.bone_from_rest;
+    }
   }
 
   std::size_t fragment_index(const std::string& name) const {
@@ -166,6 +202,8 @@ class FixationPlanner {
                            .bone = ground_.bone_index(implant.bone),
                            .length_mm = implant.length.middle_mm(),
                            .diameter_mm = implant.diameter.middle_mm(),
+                           .lengths = implant.length,
+                           .diameters = implant.diameter,
                            .engages = implant.engages,
                            .cortices = implant.cortices,
                            .is_temporary = implant.is_temporary};
@@ -235,7 +273,7 @@ class FixationPlanner {
   PlannedClearance clearance_of(const PlannedImplant& implant, const ImplantClearance& asked,
                                 const std::string& path) {
     const auto surface =
-        std::ranges::find(surfaces_, asked.joint_surface, &PlannedJointSurface::name);
+        std::ranges::find(plan_.joint_surfaces, asked.joint_surface, &PlannedJointSurface::name);
     PlannedClearance clear{asked.joint_surface, asked.least_mm,
                            std::numeric_limits<double>::infinity()};
     for (const Vec3& point : axis_in(body_of(*surface), implant))
@@ -248,7 +286,7 @@ class FixationPlanner {
 
   const Scenario& scenario_;
   const Ground& ground_;
-  std::span<const PlannedJointSurface> surfaces_;
+  const Plan& plan_;
   std::vector<BonePieces> pieces_;
   std::vector<std::optional<simulator::Bvh>> trees_;
   /// Of each fragment.
@@ -264,11 +302,9 @@ const Part* find_part(const std::vector<Part>& parts, std::string_view name) noe
 
 }  // namespace
 
-PlannedFixation plan_fixation(const Scenario& scenario, const Ground& ground,
-                              std::span<const PlannedCut> cuts,
-                              std::span<const PlannedJointSurface> joint_surfaces) {
+PlannedFixation plan_fixation(const Scenario& scenario, const Ground& ground, const Plan& plan) {
   if (scenario.fragments.empty() && scenario.implants.empty()) return {};
-  return FixationPlanner(scenario, ground, cuts, joint_surfaces).planned();
+  return FixationPlanner(scenario, ground, plan).planned();
 }
 
 const PlannedFragment* find_fragment(const PlannedFixation& fixation,

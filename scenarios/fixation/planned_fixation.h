@@ -1,6 +1,5 @@
 /// Fragments, shifts and implants of a scenario on one patient. All of them say the index of the
 /// bone in whose frame they lie.
-/// Inside this corner only.
 #pragma once
 
 #include <optional>
@@ -20,8 +19,11 @@ struct PlannedFragment {
   Vec3 holds_in_bone_mm{0.0, 0.0, 0.0};
   /// Counted in cells of a millimetre.
   double volume_mm3 = 0.0;
-  /// Carries it to where all of its shifts bring it; what closing adds is not foreseen.
+  /// Carries it to where all of its shifts and closed hinges bring it; how far a shift is closed
+  /// until faces touch is not foreseen.
   RigidTransform bone_from_rest = {};
+  /// Up, where the foot stands.
+  Vec3 foot_dorsal_in_bone{0.0, 1.0, 0.0};
 };
 
 struct PlannedShift {
@@ -48,6 +50,8 @@ struct PlannedImplant {
   /// Unit, from the entry to the tip.
   Vec3 direction_in_bone{1.0, 0.0, 0.0};
   double length_mm = 0.0, diameter_mm = 0.0;
+  /// What is as good.
+  Range lengths = {}, diameters = {};
   /// As the scenario says them: fragments, and bones for the rest of a bone.
   std::vector<std::string> engages;
   int cortices = 1;

@@ -19,6 +19,16 @@ using simulator::CommandKind;
 constexpr double give_mm_per_newton = 0.5;
 /// From piece to piece.
 constexpr double take_s = 0.5;
+/// For each step beyond those of a short operation.
+constexpr std::int64_t ticks_per_step = 45'000;
+constexpr std::size_t short_operation_steps = 8;
+
+std::int64_t last_tick_of(const Scenario& scenario) noexcept {
+  const std::size_t steps = std::max(scenario.steps.size(), short_operation_steps);
+  return FeelingHand::last_tick +
+         ticks_per_step * static_cast<std::int64_t>(steps - short_operation_steps);
+}
+
 }  // namespace
 
 FeelingHand::FeelingHand(const Scenario& scenario, const simulator::Bone& bone, const Plan& plan,
@@ -28,6 +38,7 @@ FeelingHand::FeelingHand(const Scenario& scenario, const simulator::Bone& bone, 
       cuts_(aim(scenario, plan, KnownBone(bone), skill, seed)),
       senses_(skill.perception, Random(seed, "hand.eye")),
       work_(skill, seed),
+      bore_(skill, seed),
       out_(Random(seed, "wander.out"), skill.wander_mm, skill.perception.steadying_per_s),
       tilt_x_(Random(seed, "wander.tilt_x"), skill.wander_rad, skill.perception.steadying_per_s),
       tilt_y_(Random(seed, "wander.tilt_y"), skill.wander_rad, skill.perception.steadying_per_s) {
@@ -38,7 +49,7 @@ FeelingHand::FeelingHand(const Scenario& scenario, const simulator::Bone& bone, 
   handle_.along_mm = start.along_mm;
   acts_ = plan_acts(undertaking);
   const double times = std::max(1.0, fault_size(skill_.faults, FaultKind::Slow));
-  end_tick_ = static_cast<std::int64_t>(times * static_cast<double>(last_tick));
+  end_tick_ = static_cast<std::int64_t>(times * static_cast<double>(last_tick_of(scenario)));
   world_from_tool_ = pose();
 }
 
@@ -76,6 +87,9 @@ bool FeelingHand::goes_on(double span_s) noexcept {
       return work_.is_done();
     case Act::Kind::Lead:
       return leads_on(act, span_s);
+    case Act::Kind::Bore:
+      bore_.go_on(handle_, senses_, felt_newton_, span_s);
+      return bore_.is_done();
     case Act::Kind::Wait:
       return act_s_ >= act.wait_s;
     case Act::Kind::Idle:
@@ -85,7 +99,11 @@ bool FeelingHand::goes_on(double span_s) noexcept {
       queue(act.command);
       return true;
     case Act::Kind::TakeRest:
-      return take_rest();
+      return take_rest(act);
+    case Act::Kind::Grip:
+      if (queued_ == queue_.size()) return false;
+      grip(act);
+      return true;
   }
   return true;
 }
@@ -105,13 +123,19 @@ bool FeelingHand::idles_on(const Act& act, double span_s) noexcept {
 }
 
 /// Bone that was sawn off in several pieces is taken out whole. True where none is left.
-bool FeelingHand::take_rest() noexcept {
+bool FeelingHand::take_rest(const Act& act) noexcept {
   if (act_s_ < free_at_s_ || queued_ == queue_.size()) return false;
-  const std::optional<std::int32_t> piece = loose_.take_waste(cuts_);
+  const std::optional<std::int32_t> piece = loose_.take_waste(cuts_, act.waste_of);
   if (!piece) return true;
   queue({CommandKind::PickUp, *piece, 0});
   free_at_s_ = act_s_ + take_s;
   return false;
+}
+
+/// The piece that lies nearest; where none was seen to come free, what came free last.
+void FeelingHand::grip(const Act& act) noexcept {
+  const std::optional<std::int32_t> piece = loose_.nearest(act.near_in_bone_mm);
+  queue({CommandKind::Grip, piece.value_or(simulator::piece_freed_last), 0});
 }
 
 void FeelingHand::begin_act() noexcept {
@@ -123,6 +147,7 @@ void FeelingHand::begin_act() noexcept {
     tilt_x_.mean(act.jitter_rad);
     work_.begin(act.stroke);
   }
+  if (act.kind == Act::Kind::Bore) bore_.begin(act.bore);
 }
 
 /// Straight through the air into another plane.
@@ -134,7 +159,8 @@ void FeelingHand::begin_turn(const Act& act) noexcept {
   out_.mean(0.0);
   tilt_x_.mean(0.0);
   const double way_mm = length_of(held_pose().translation_mm - turned_from_.translation_mm);
-  turn_s_ = std::max(step_s, way_mm / skill_.approach_mm_s);
+  const double speed_mm_s = act.speed_mm_s > 0.0 ? act.speed_mm_s : skill_.approach_mm_s;
+  turn_s_ = std::max(step_s, way_mm / speed_mm_s);
 }
 
 bool FeelingHand::is_turning() const noexcept {

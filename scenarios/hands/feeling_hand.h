@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scenarios/hands/bore_work.h"
 #include "scenarios/hands/hand_acts.h"
 #include "scenarios/hands/hand_aim.h"
 #include "scenarios/hands/held_axis.h"
@@ -36,9 +37,9 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
 
   /// As the plan has them.
   const std::vector<AimedCut>& cuts() const noexcept { return cuts_; }
-  /// An attempt that is not done by then is finished as it is.
+  /// An attempt of few steps that is not done by then is finished as it is.
   static constexpr std::int64_t last_tick = 300'000;
-  /// Likewise of this hand: later where it is slow on purpose.
+  /// Likewise of this hand: later where there are more steps, or it is slow on purpose.
   std::int64_t end_tick() const noexcept { return end_tick_; }
 
   simulator::DeviceDescription description() const override {
@@ -57,7 +58,8 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   bool idles_on(const Act& act, double span_s) noexcept;
   void begin_turn(const Act& act) noexcept;
   bool is_turning() const noexcept;
-  bool take_rest() noexcept;
+  bool take_rest(const Act& act) noexcept;
+  void grip(const Act& act) noexcept;
   void feel(const Vec3& force_in_world_newton, std::int64_t ticks) noexcept;
   void hold_blade(double span_s) noexcept;
   void align_with_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept;
@@ -83,6 +85,7 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   Handle handle_;
   HandSenses senses_;
   StrokeWork work_;
+  BoreWork bore_;
   HeldAxis out_, tilt_x_, tilt_y_;
   LoosePieces loose_;
   double felt_newton_ = 0.0;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scenarios/hands/bore_work.h"
 #include "scenarios/hands/hand_aim.h"
 #include "scenarios/hands/stroke_plan.h"
 #include "simulator/record/record.h"
@@ -17,13 +18,17 @@ struct Act {
     /// Through the air into another plane.
     TurnTo,
     Saw,
-    /// Along the feed through the air, with the saw running or not.
+    /// Along the feed through the air, with the tool running or not.
     Lead,
+    /// A wire, drill or screw along its axis.
+    Bore,
     Wait,
     /// The blade away from bone, until it has been idle for its share of the time.
     Idle,
     Say,
-    TakeRest
+    TakeRest,
+    /// The forceps take hold of the piece that lies nearest to a point.
+    Grip
   };
   Kind kind = Kind::Wait;
   /// TurnTo: the plane in which the blade is to lie, x the feed, and where in it.
@@ -31,6 +36,8 @@ struct Act {
   double along_mm = 0.0;
   /// TurnTo, Lead: to there.
   double feed_mm = 0.0;
+  /// TurnTo: 0 as fast as the hand comes to a cut.
+  double speed_mm_s = 0.0;
   /// Lead.
   bool saw_runs = false;
   Stroke stroke = {};
@@ -40,6 +47,11 @@ struct Act {
   /// Idle: for a second of work so many without.
   double idle_share = 0.0;
   simulator::Command command = {};
+  BoreTask bore = {};
+  /// TakeRest: the cuts whose waste is meant, by bits.
+  std::uint32_t waste_of = 0;
+  /// Grip: a point of the fragment.
+  Vec3 near_in_bone_mm{0.0, 0.0, 0.0};
 };
 
 /// All that the acts follow from; borrowed.
@@ -53,7 +65,8 @@ struct Undertaking {
   std::uint64_t seed;
 };
 
-/// The scenario's steps in the order in which the hand does them, without those that it leaves out.
+/// The scenario's steps in the order in which the hand does them, without those that it leaves out;
+/// of alternatives the first.
 std::vector<std::size_t> steps_to_do(const Scenario& scenario, const HandSkill& skill);
 /// errors  ScenarioError where a zone that it is to touch is none of the plan's
 std::vector<Act> plan_acts(const Undertaking& undertaking);

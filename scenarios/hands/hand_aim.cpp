@@ -11,6 +11,8 @@
 #include <optional>
 #include <utility>
 
+#include "scenarios/faces/windowed_region.h"
+#include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/elementary.h"
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
@@ -79,7 +81,10 @@ std::optional<Sight> look_along(const ReferenceFace& face, const Target& target,
   const Section section = slice_section(known.solid, known.bvh, plane);
   const SectionRegion* region = region_near(section, target.near_mm);
   if (region == nullptr || region->contours.empty()) return std::nullopt;
-  return Sight{plane, *region};
+  if (!target.cut.window) return Sight{plane, *region};
+  SectionRegion within = within_window(*region, plane, *target.cut.window);
+  if (within.contours.empty()) return std::nullopt;
+  return Sight{plane, std::move(within)};
 }
 
 /// Of a face that lies in the bone; `else_why` ends the refusal.
@@ -247,8 +252,9 @@ void add_faults(const Target& target, const Sight& planned, const HandSkill& ski
   const Vec3& plan_normal = cut.face.normal;
   const Vec3 pivot = middle_in_bone_mm(target, planned);
   const double off_pivot_mm = aimed.face.offset_mm - glm::dot(aimed.face.normal, pivot);
-  const Quat tilt = rotation_about(cut.axis, tilt_rad);
-  const Quat roll = rotation_about(glm::cross(plan_normal, cut.axis), roll_rad);
+  const Vec3& contained = cut.contained_in_bone;
+  const Quat tilt = rotation_about(contained, tilt_rad);
+  const Quat roll = rotation_about(glm::cross(plan_normal, contained), roll_rad);
   aimed.face.normal =
       transform_direction(RigidTransform{tilt, {}} * RigidTransform{roll, {}}, aimed.face.normal);
   aimed.face.offset_mm = glm::dot(aimed.face.normal, pivot) + off_pivot_mm +
@@ -275,7 +281,7 @@ Target target_of(const Scenario& scenario, const Plan& plan, std::size_t index,
           ? find_landmark(known.bone, "eminence_apex").value_or(cut.depth_point_in_bone_mm)
           : cut.entry_point_in_bone_mm;
   return {cut,  -cut.approach_in_bone,
-          near, scenario.saw.blade.kerf_mm,
+          near, blade_of(scenario, cut).kerf_mm,
           seed, index == 0 ? std::string() : "." + cut.name};
 }
 

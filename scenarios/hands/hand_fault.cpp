@@ -15,7 +15,7 @@ namespace hallux::scenarios {
 
 namespace {
 
-constexpr std::array<FaultRow, 12> rows{{
+constexpr std::array<FaultRow, 20> rows{{
     {FaultKind::Tilt, "tilt", FaultSubject::MayBeCut, "degrees", 4.0, -45.0, 45.0, false,
      "turns the aimed plane about the direction that the planned one contains"},
     {FaultKind::Roll, "roll", FaultSubject::MayBeCut, "degrees", 4.0, -45.0, 45.0, false,
@@ -39,6 +39,22 @@ constexpr std::array<FaultRow, 12> rows{{
      "draws the blade wholly out of its first kerf so often, and enters it again"},
     {FaultKind::TouchZone, "touch_zone", FaultSubject::Zone, "s", 1.0, 0.1, 10.0, false,
      "leads the running saw through the air into the zone for so long, before its first cut"},
+    {FaultKind::ShiftBy, "shift_by", FaultSubject::Fragment, "mm", 3.0, -20.0, 20.0, false,
+     "leads the fragment so much farther along the planned way"},
+    {FaultKind::TurnBy, "turn_by", FaultSubject::Fragment, "degrees", 8.0, -45.0, 45.0, false,
+     "turns the fragment so much about the foot's dorsal"},
+    {FaultKind::WrongWay, "wrong_way", FaultSubject::Fragment, "", 0.0, 0.0, 0.0, false,
+     "leads the fragment the opposite way"},
+    {FaultKind::Direction, "direction", FaultSubject::Implant, "degrees", 15.0, -45.0, 45.0, false,
+     "sets the wire or screw so much off its direction"},
+    {FaultKind::Entry, "entry", FaultSubject::Implant, "mm", 4.0, -15.0, 15.0, false,
+     "sets it in so far beside its entry"},
+    {FaultKind::Length, "length", FaultSubject::Implant, "mm", 6.0, -15.0, 15.0, false,
+     "sets it so much deeper, or a screw so much longer"},
+    {FaultKind::Unicortical, "unicortical", FaultSubject::Implant, "", 0.0, 0.0, 0.0, false,
+     "stops with it before the far cortex"},
+    {FaultKind::WrongBlade, "wrong_blade", FaultSubject::MayBeCut, "", 0.0, 0.0, 0.0, false,
+     "saws with the next blade on the tray"},
 }};
 
 const FaultRow& row_of(FaultKind kind) noexcept { return rows[static_cast<std::size_t>(kind)]; }
@@ -59,6 +75,8 @@ std::string pattern_of(const FaultRow& row) {
   if (row.subject == FaultSubject::MayBeCut) text += "[:CUT]";
   if (row.subject == FaultSubject::Step) text += ":STEP";
   if (row.subject == FaultSubject::Zone) text += ":ZONE";
+  if (row.subject == FaultSubject::Fragment) text += ":FRAGMENT";
+  if (row.subject == FaultSubject::Implant) text += ":IMPLANT";
   if (!row.unit.empty()) {
     text += "[=" + text_of_number(row.usual_size) + " " + std::string(row.unit) + "]";
   }
@@ -88,6 +106,12 @@ std::vector<std::string> subjects_in(const Scenario& scenario, FaultSubject subj
   }
   if (subject == FaultSubject::Zone) {
     for (const DangerZone& zone : scenario.danger_zones) names.push_back(zone.name);
+  }
+  if (subject == FaultSubject::Fragment) {
+    for (const Fragment& fragment : scenario.fragments) names.push_back(fragment.name);
+  }
+  if (subject == FaultSubject::Implant) {
+    for (const Implant& implant : scenario.implants) names.push_back(implant.name);
   }
   if (subject == FaultSubject::Step) {
     for (const OperationStep& step : scenario.steps) {
@@ -203,10 +227,11 @@ std::string hand_with_faults(std::string_view hand, std::span<const HandFault> f
 }
 
 double fault_size(std::span<const HandFault> faults, FaultKind kind,
-                  std::string_view cut) noexcept {
+                  std::string_view subject) noexcept {
   double size = 0.0;
   for (const HandFault& fault : faults) {
-    if (fault.kind == kind && (fault.subject.empty() || fault.subject == cut)) size += fault.size;
+    if (fault.kind == kind && (fault.subject.empty() || fault.subject == subject))
+      size += fault.size;
   }
   return size;
 }
@@ -216,7 +241,15 @@ bool has_fault(std::span<const HandFault> faults, FaultKind kind) noexcept {
                      [kind](const HandFault& fault) { return fault.kind == kind; });
 }
 
+bool is_faulty(std::span<const HandFault> faults, FaultKind kind,
+               std::string_view subject) noexcept {
+  return std::any_of(faults.begin(), faults.end(), [&](const HandFault& fault) {
+    return fault.kind == kind && (fault.subject.empty() || fault.subject == subject);
+  });
+}
+
 std::string_view fault_name_of(const OperationStep& step) noexcept {
+  if (!step.id.empty() && step.kind != StepKind::Finish) return step.id;
   switch (step.kind) {
     case StepKind::Verify:
       return "verify";

@@ -27,12 +27,20 @@ enum class FaultKind {
   Slow,
   Press,
   Restarts,
-  TouchZone
+  TouchZone,
+  ShiftBy,
+  TurnBy,
+  WrongWay,
+  Direction,
+  Entry,
+  Length,
+  Unicortical,
+  WrongBlade
 };
 
 struct HandFault {
   FaultKind kind = FaultKind::Tilt;
-  /// A cut, a step or a zone; empty: of every cut, or of the whole attempt.
+  /// A cut, a step, a zone, a fragment or an implant; empty: of every cut, or of the whole attempt.
   std::string subject;
   /// In the unit of its row; 0 where it has none.
   double size = 0.0;
@@ -41,7 +49,7 @@ struct HandFault {
 };
 
 /// MayBeCut: without one it is of every cut.
-enum class FaultSubject { None, MayBeCut, Step, Zone };
+enum class FaultSubject { None, MayBeCut, Step, Zone, Fragment, Implant };
 
 struct FaultRow {
   FaultKind kind;
@@ -69,12 +77,15 @@ std::string text_of(const HandFault& fault);
 /// How a hand with these faults is named in the record.
 std::string hand_with_faults(std::string_view hand, std::span<const HandFault> faults);
 
-/// The sizes together, of those of the whole attempt, of every cut and of this cut.
+/// The sizes together, of those of the whole attempt, of every cut and of this subject.
 double fault_size(std::span<const HandFault> faults, FaultKind kind,
-                  std::string_view cut = {}) noexcept;
+                  std::string_view subject = {}) noexcept;
 bool has_fault(std::span<const HandFault> faults, FaultKind kind) noexcept;
-/// How a fault names the step: its cut, or what is done; empty for the last one, which no hand
-/// leaves out.
+/// Of this subject, or of all.
+bool is_faulty(std::span<const HandFault> faults, FaultKind kind,
+               std::string_view subject) noexcept;
+/// How a fault names the step: by its id, else its cut or what is done; empty for the last one,
+/// which no hand leaves out.
 std::string_view fault_name_of(const OperationStep& step) noexcept;
 bool is_skipped(std::span<const HandFault> faults, const OperationStep& step) noexcept;
 

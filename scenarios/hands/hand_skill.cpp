@@ -37,6 +37,8 @@ HandSkill novice_hand() {
   novice.stop_mean_mm = 0.0;
   novice.stop_deviation_mm = 1.5;
   novice.meet_deviation_mm = 0.6;
+  novice.shift_deviation_mm = 2.0;
+  novice.shift_turn_deviation_deg = 4.0;
   return novice;
 }
 
@@ -57,6 +59,7 @@ HandSkill perfect_hand() {
   perfect.perception.reaction_s = 0.0;
   perfect.perception.eye_mm = perfect.perception.doubt_mm_per_s = 0.0;
   perfect.stop_mean_mm = perfect.stop_deviation_mm = perfect.meet_deviation_mm = 0.0;
+  perfect.shift_deviation_mm = perfect.shift_turn_deviation_deg = 0.0;
   perfect.keeps_to_plan = true;
   return perfect;
 }

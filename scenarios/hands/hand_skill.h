@@ -83,6 +83,8 @@ struct HandSkill {
   double stop_mean_mm = -0.4, stop_deviation_mm = 0.3;
   /// How well a second cut comes to the end of the first.
   double meet_deviation_mm = 0.2;
+  /// Of a fragment that it leads: along the planned way, and about the foot's dorsal.
+  double shift_deviation_mm = 0.5, shift_turn_deviation_deg = 1.0;
   /// A second cut and its end are those of the plan, not measured off from the first cut.
   bool keeps_to_plan = false;
   /// What it does wrong on purpose.

@@ -19,9 +19,13 @@ class LoosePieces {
   static constexpr std::size_t most = 8;
 
   void observe(const simulator::CutEvent& event) noexcept;
-  /// A piece on the waste's side of each of the faces, the newest first: from then on it is no
+  /// A piece on the waste's side of each of these faces, the newest first: from then on it is no
   /// longer among them. Nothing where none lies there.
-  std::optional<std::int32_t> take_waste(std::span<const AimedCut> cuts) noexcept;
+  /// which  the cuts that are meant, by bits
+  std::optional<std::int32_t> take_waste(std::span<const AimedCut> cuts,
+                                         std::uint32_t which = ~0U) noexcept;
+  /// The one that was seen nearest to a point; nothing where none lies there.
+  std::optional<std::int32_t> nearest(const Vec3& point_in_bone_mm) const noexcept;
 
  private:
   struct Piece {

@@ -102,7 +102,7 @@ void SiteWatch::apply(const simulator::CutEvent& event, const simulator::KerfSet
 }
 
 std::size_t SiteWatch::cut_of(const KerfPlane& plane) const {
-  if (step_ < scenario_.steps.size() && scenario_.steps[step_].kind == StepKind::Cut)
+  if (step_ < scenario_.steps.size() && is_sawn(scenario_.steps[step_]))
     return index_of_cut(plan_, scenario_.steps[step_].cut);
   return nearest_cut(plane, plan_);
 }

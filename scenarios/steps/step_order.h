@@ -1,6 +1,5 @@
 /// The order of an operation's steps: a chain in format 1, in format 2 whatever each says that it
 /// comes after, with alternatives of which one suffices and steps that may be left out.
-/// Inside this corner only.
 #pragma once
 
 #include <set>

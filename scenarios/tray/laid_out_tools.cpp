@@ -77,6 +77,14 @@ simulator::Tray tray_of(const Scenario& scenario) {
   return {std::get<simulator::Saw>(laid_out.front().tool), further};
 }
 
+std::int32_t blade_place(const PlannedCut& cut) noexcept {
+  return static_cast<std::int32_t>(cut.blade.value_or(0));
+}
+
+const simulator::Blade& blade_of(const Scenario& scenario, const PlannedCut& cut) noexcept {
+  return cut.blade ? scenario.blades[*cut.blade].saw.blade : scenario.saw.blade;
+}
+
 std::optional<std::int32_t> place_of(const std::vector<LaidOutTool>& tools,
                                      std::string_view name) noexcept {
   const auto found = std::find_if(tools.begin(), tools.end(),

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scenarios/plan.h"
 #include "scenarios/scenario.h"
 #include "simulator/tool/tray.h"
 
@@ -22,6 +23,10 @@ struct LaidOutTool {
 /// drills lie beside screws.
 std::vector<LaidOutTool> laid_out_tools(const Scenario& scenario);
 simulator::Tray tray_of(const Scenario& scenario);
+
+/// The planned blade of a cut: its place on the tray, and the blade; the first where none is.
+std::int32_t blade_place(const PlannedCut& cut) noexcept;
+const simulator::Blade& blade_of(const Scenario& scenario, const PlannedCut& cut) noexcept;
 
 /// The place of the tool of that name, or nothing.
 std::optional<std::int32_t> place_of(const std::vector<LaidOutTool>& tools,

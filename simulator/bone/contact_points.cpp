@@ -61,38 +61,46 @@ void spread(const IndexedMesh& mesh, const Corners& corners, std::size_t count,
   }
 }
 
-Vec3 out_of_walls(const CutSolid& solid) {
+/// Further away nothing is faced: more than any kerf is wide.
+constexpr double facing_mm = 1.5;
+
+bool faces_any(const Vec3& point_mm, const Vec3& normal, std::span<const Bvh* const> others) {
+  return std::any_of(others.begin(), others.end(), [&](const Bvh* other) {
+    const auto near = other->nearest(point_mm, facing_mm);
+    return near && glm::dot(near->point_mm - point_mm, normal) > 0.0;
+  });
+}
+
+}  // namespace
+
+std::vector<Vec3> contact_points(const CutSolid& solid, std::size_t most) {
+  std::vector<Vec3> points_mm;
+  const Faces faces = faces_of(solid);
+  if (!faces.walls.empty()) {
+    const std::size_t of_each =
+        std::max<std::size_t>(1, most * wall_part / all_parts / faces.walls.size());
+    for (const auto& [source, corners] : faces.walls) {
+      if (points_mm.size() + of_each > most) break;
+      spread(solid.mesh, corners, of_each, points_mm);
+    }
+  }
+  if (!faces.skin.empty()) spread(solid.mesh, faces.skin, most - points_mm.size(), points_mm);
+  return points_mm;
+}
+
+Vec3 out_of_facing_walls(const CutSolid& solid, std::span<const Bvh* const> others) {
   Vec3 sum{0.0, 0.0, 0.0};
   double size = 0.0;
   for (std::size_t i = 0; i < solid.mesh.triangles.size(); ++i) {
     if (solid.sources[i].kerf == -1) continue;
     const std::array<Vec3, 3> at = corners_of(solid.mesh, i);
     const Vec3 doubled_area = glm::cross(at[1] - at[0], at[2] - at[0]);
+    if (!faces_any((at[0] + at[1] + at[2]) / 3.0, doubled_area, others)) continue;
     sum += doubled_area;
     size += length_of(doubled_area);
   }
   const double length = length_of(sum);
   return length > least_part * size ? sum / length : Vec3{0.0, 0.0, 0.0};
-}
-
-}  // namespace
-
-ContactPoints contact_points(const CutSolid& solid, std::size_t most) {
-  ContactPoints contact;
-  const Faces faces = faces_of(solid);
-  if (!faces.walls.empty()) {
-    const std::size_t of_each =
-        std::max<std::size_t>(1, most * wall_part / all_parts / faces.walls.size());
-    for (const auto& [source, corners] : faces.walls) {
-      if (contact.points_mm.size() + of_each > most) break;
-      spread(solid.mesh, corners, of_each, contact.points_mm);
-    }
-  }
-  if (!faces.skin.empty()) {
-    spread(solid.mesh, faces.skin, most - contact.points_mm.size(), contact.points_mm);
-  }
-  contact.out_of_walls = out_of_walls(solid);
-  return contact;
 }
 
 Vec3 centroid_of(const IndexedMesh& mesh) {

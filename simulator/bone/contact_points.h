@@ -6,22 +6,22 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "simulator/cutting/pieces/cut_solid.h"
+#include "simulator/mesh/bvh.h"
 
 namespace hallux::simulator {
 
-struct ContactPoints {
-  std::vector<Vec3> points_mm;
-  /// The mean of the walls' directions out of the solid, by their areas; zero where there are none,
-  /// or where they cancel.
-  Vec3 out_of_walls{0.0, 0.0, 0.0};
-};
-
 /// At most `most` corners of the mesh, three quarters of them of walls where there are any.
 /// ensures the same on every machine
-ContactPoints contact_points(const CutSolid& solid, std::size_t most);
+std::vector<Vec3> contact_points(const CutSolid& solid, std::size_t most);
+
+/// The mean of the directions out of the solid, by their areas, of those walls that still face what
+/// they came from: others lie no more than 1.5 mm ahead, where all was cut. Zero where none does,
+/// or where they cancel.
+Vec3 out_of_facing_walls(const CutSolid& solid, std::span<const Bvh* const> others);
 
 /// The middle of the solid's volume.
 /// needs   the mesh is closed

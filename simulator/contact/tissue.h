@@ -1,5 +1,4 @@
 /// Which tissue is where: in the bone as it was, and in what of it still stands.
-/// Inside this room only.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,4 @@
 /// The wound: the fragments that a tool may meet, each as it still stands and where it lies now.
-/// Inside this room only.
 ///
 ///     wound frame (that of the first bone) --fragment_from_wound--> frame of a fragment
 ///

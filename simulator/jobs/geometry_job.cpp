@@ -228,13 +228,14 @@ void AttemptGeometry::run_grip(JobResult& result) {
     const NumberedPieces& pieces = fragments_[i].bone.pieces();
     const PieceBody* const piece = find_piece(pieces, result.request.subject);
     if (fragments_[i].is_out || piece == nullptr) continue;
-    const ContactPoints contact = contact_points(piece->solid, points_of_piece);
     gripped.fragment = static_cast<std::int32_t>(i);
     gripped.centroid_mm = centroid_of(piece->solid.mesh);
     gripped.surface = std::make_unique<const Bvh>(piece->solid.mesh);
-    gripped.points_mm = contact.points_mm;
-    gripped.closing = contact.out_of_walls;
+    gripped.points_mm = contact_points(piece->solid, points_of_piece);
     gripped.met = met_by(piece->id, gripped.fragment);
+    std::vector<const Bvh*> others;
+    for (const MetFragment& met : gripped.met) others.push_back(met.surface.get());
+    gripped.closing = out_of_facing_walls(piece->solid, others);
     return;
   }
 }
@@ -248,8 +249,8 @@ std::vector<MetFragment> AttemptGeometry::met_by(std::int32_t piece, std::int32_
     const CutSolid others =
         fragments_[i].bone.pieces().gathered_without(number == fragment ? piece : no_piece);
     if (others.mesh.triangles.empty()) continue;
-    all.push_back({number, std::make_unique<const Bvh>(others.mesh),
-                   contact_points(others, points_met).points_mm});
+    all.push_back(
+        {number, std::make_unique<const Bvh>(others.mesh), contact_points(others, points_met)});
   }
   return all;
 }

@@ -73,7 +73,8 @@ struct GrippedPiece {
   std::unique_ptr<const Bvh> surface;
   /// By which it meets the others.
   std::vector<Vec3> points_mm;
-  /// Into what its sawn walls came from, of unit length; zero where they say nothing.
+  /// Into what its sawn walls came from, as far as that is still there; of unit length, zero where
+  /// they say nothing.
   Vec3 closing{0.0, 0.0, 0.0};
   std::vector<MetFragment> met;
 };

@@ -1,5 +1,5 @@
 /// Fragments of an attempt and where they lie, by its events: one rule for the step, its jobs and
-/// for scoring. Inside this room only.
+/// for scoring.
 ///
 ///     bone 0, bone 1 ...     fragments 0, 1 ..., where the patient has them
 ///     FragmentParted         the next fragment: a piece of another one, still where it was

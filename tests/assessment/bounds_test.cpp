@@ -254,7 +254,7 @@ TEST(Bounds, AreNoughtForWhatIsCountedAndSmallForWhatIsPlane) {
   for (const Measurement& each : made.examination.measurements) {
     if (!each.is_measured()) continue;
     const scenarios::MetricName& metric = *scenarios::find_metric(each.metric);
-    if (is_counted(metric)) {
+    if (scenarios::is_counted(metric)) {
       EXPECT_EQ(each.bound, 0.0) << each.metric;
       continue;
     }

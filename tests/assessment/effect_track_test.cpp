@@ -36,7 +36,8 @@ void saw_and_rest(SimulationRun& run) {
 
 EffectTrack track_of(const Bone& bone, const SimulationRun& run, const Progress& progress = {},
                      double sharpness = 1.0) {
-  return track_effects(bone, {{.sharpness = sharpness}}, run.recording(), stretch, progress);
+  return track_effects(bone, simulator::Saw{.sharpness = sharpness}, false, run.recording(),
+                       stretch, progress);
 }
 
 TEST(EffectTrack, ComesToTheBitToWhatTheStepFollowed) {
@@ -104,7 +105,7 @@ TEST(EffectTrack, OfAGuidedHandKnowsABendInAKerfOnly) {
   run.hold(600);
   run.glide(blade_down({0.0, top_mm - 8.0, 0.0}), 1500);
   const auto greatest_mm = [&](bool is_guided) {
-    return track_effects(bone, {{}, is_guided}, run.recording(), stretch).greatest_deflection_mm;
+    return track_effects(bone, {}, is_guided, run.recording(), stretch).greatest_deflection_mm;
   };
   EXPECT_LT(greatest_mm(true), 0.02);
   EXPECT_GT(greatest_mm(false), 0.5) << "the guide pushed the hand, as the blade stood on bone";
@@ -112,7 +113,7 @@ TEST(EffectTrack, OfAGuidedHandKnowsABendInAKerfOnly) {
 
 TEST(EffectTrack, OfNothingIsEmpty) {
   const Bone bone = block();
-  const EffectTrack track = track_effects(bone, {}, {}, stretch);
+  const EffectTrack track = track_effects(bone, {}, false, {}, stretch);
   EXPECT_TRUE(track.hottest_celsius.empty());
   EXPECT_EQ(track.heat.hottest_celsius, body_celsius);
 }

@@ -48,7 +48,8 @@ void expect_half_the_ticks_hold(const char* operation, const char* hand, std::ui
   for (std::size_t index = 0; index < coarse.size(); ++index) {
     const Measurement& each = coarse[index];
     ASSERT_EQ(each.metric, fine[index].metric);
-    if (!each.is_measured() || is_counted(*scenarios::find_metric(each.metric))) continue;
+    if (!each.is_measured() || scenarios::is_counted(*scenarios::find_metric(each.metric)))
+      continue;
     if (is_by_touches(each)) continue;
     EXPECT_NEAR(each.value, fine[index].value, each.bound)
         << each.metric << " " << each.cut << each.hinge << each.zone;

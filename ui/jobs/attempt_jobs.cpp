@@ -137,8 +137,9 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   store_examination(desk, material, examination);
   outcome.card = std::move(examination.card);
   if (attempt.asks_what_is_left) {
-    outcome.left = left_behind(material.scenario, examination.plan, material.bone,
-                               material.recording, progress("Looking at what is left"));
+    outcome.left =
+        left_behind(material.scenario, examination.plan, material.bone, material.recording,
+                    std::move(examination.rebuilt), progress("Looking at what is left"));
   }
   return outcome;
 }

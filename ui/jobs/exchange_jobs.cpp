@@ -102,26 +102,20 @@ void add_solids(const assessment::RebuiltBone& rebuilt, std::string (*name_of)(s
     files.push_back({name_of(i), simulator::ply_bytes(rebuilt.pieces[i].mesh)});
 }
 
-bool has_closed_hinge(const simulator::Recording& recording) {
-  return std::ranges::any_of(recording.events, [](const simulator::CutEvent& event) {
-    return event.kind == simulator::CutEventKind::HingeClosed;
-  });
-}
-
 /// The pieces as they are scored, and how all bodies lie.
 void add_left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
                      const simulator::Bone& bone, const simulator::Recording& recording,
                      std::vector<database::DerivedFile>& files) {
-  const LeftBehind left = left_behind(scenario, plan, bone, recording);
-  const bool are_pieces = !has_closed_hinge(recording);
-  const auto name_of = are_pieces ? piece_file_name : body_file_name;
+  assessment::RebuiltBone scored =
+      assessment::rebuild(bone, scenarios::tray_of(scenario), recording, {}, nullptr, {},
+                          {scenarios::planned_bridges(plan)});
+  const bool has_bodies_of_their_own = has_closed_hinge(recording);
+  if (has_bodies_of_their_own) add_solids(scored, piece_file_name, files);
+  const auto name_of = has_bodies_of_their_own ? body_file_name : piece_file_name;
+  const LeftBehind left = left_behind(scenario, plan, bone, recording, std::move(scored));
   files.push_back({fragments_file_name, fragments_file(left, name_of)});
   files.push_back({implants_file_name, implants_file(left)});
   add_solids(left.rebuilt, name_of, files);
-  if (are_pieces) return;
-  add_solids(assessment::rebuild(bone, scenarios::tray_of(scenario), recording, {}, nullptr, {},
-                                 {scenarios::planned_bridges(plan)}),
-             piece_file_name, files);
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 #include "ui/jobs/left_behind.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "scenarios/tray/laid_out_tools.h"
 
 namespace hallux::ui {
@@ -28,17 +31,21 @@ std::vector<std::optional<std::int64_t>> done_ticks_of(const scenarios::Scenario
 
 }  // namespace
 
+bool has_closed_hinge(const simulator::Recording& recording) noexcept {
+  return std::ranges::any_of(recording.events, [](const CutEvent& event) {
+    return event.kind == CutEventKind::HingeClosed;
+  });
+}
+
 LeftBehind left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
                        const simulator::Bone& bone, const simulator::Recording& recording,
-                       const Progress& progress) {
-  LeftBehind left{assessment::rebuild(bone, scenarios::tray_of(scenario), recording,
-                                      part_of(progress, 0.0, rebuilt_share), nullptr, {},
-                                      {scenarios::planned_bridges(plan), true}),
-                  {},
-                  {},
-                  {},
-                  {},
-                  done_ticks_of(scenario, recording)};
+                       assessment::RebuiltBone scored, const Progress& progress) {
+  if (has_closed_hinge(recording)) {
+    scored = assessment::rebuild(bone, scenarios::tray_of(scenario), recording,
+                                 part_of(progress, 0.0, rebuilt_share), nullptr, {},
+                                 {scenarios::planned_bridges(plan), true});
+  }
+  LeftBehind left{std::move(scored), {}, {}, {}, {}, done_ticks_of(scenario, recording)};
   left.bodies = assessment::bodies_of(left.rebuilt, plan, bone.name);
   left.placements = assessment::placements_of(left.bodies, left.rebuilt, plan);
   left.fixation = assessment::fixation_of(recording, left.rebuilt, left.bodies, bone, plan);

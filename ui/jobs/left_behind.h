@@ -24,12 +24,16 @@ struct LeftBehind {
   std::vector<std::optional<std::int64_t>> done_ticks;
 };
 
+/// Whether a wedge was closed: both halves are bodies then, and for a score maybe one.
+bool has_closed_hinge(const simulator::Recording& recording) noexcept;
+
 /// Computed from the recording: nothing of what a score keeps.
 /// plan    the scenario's on this bone
+/// scored  the bone as it was rebuilt for its score: serves where no wedge was closed
 /// errors  Cancelled
 /// thread  any
 LeftBehind left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
                        const simulator::Bone& bone, const simulator::Recording& recording,
-                       const Progress& progress = {});
+                       assessment::RebuiltBone scored, const Progress& progress = {});
 
 }  // namespace hallux::ui

@@ -46,6 +46,7 @@ ordered_json cut_json(const PlannedCut& cut, const scenarios::ReferenceCut& refe
           {"normal", vector_json(cut.face.normal)},
           {"offset_mm", cut.face.offset_mm},
           {"axis", vector_json(cut.axis)},
+          {"contains", vector_json(cut.contained_in_bone)},
           {"entry_in_bone_mm", vector_json(cut.entry_point_in_bone_mm)},
           {"exit_in_bone_mm", exit_json(cut)},
           {"depth_in_bone_mm", vector_json(cut.depth_point_in_bone_mm)},

@@ -177,8 +177,7 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& 
   add_pictures(material, scenario, bone, examination);
   material.zones = watched_zones(scenario, recording);
   material.traces =
-      traces_of(recording, bone, {scenario.saw, guidance != simulator::Guidance::None},
-                examination.rebuilt.fields);
+      traces_of(recording, bone, guidance != simulator::Guidance::None, examination.rebuilt.fields);
   return material;
 }
 

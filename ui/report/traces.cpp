@@ -62,11 +62,10 @@ std::vector<ZoneContact> watched_zones(const scenarios::Scenario& scenario,
   return zone_contacts(scenario, recording);
 }
 
-Traces traces_of(const Recording& recording, const Bone& bone, const simulator::SawInHand& hand,
+Traces traces_of(const Recording& recording, const Bone& bone, bool is_guided,
                  const simulator::KerfSet& kerfs, std::size_t points_max,
                  const Progress& progress) {
   Traces traces;
-  const RigidTransform bone_from_world = inverse(bone.world_from_bone);
   const std::size_t count = recording.samples.size();
   const std::size_t stretch = std::max<std::size_t>(1, (count + points_max - 1) / points_max);
   std::optional<double> before_mm;  // the advance at the sample before, where that cut too
@@ -81,14 +80,16 @@ Traces traces_of(const Recording& recording, const Bone& bone, const simulator::
     point.force_newton = std::max(point.force_newton, simulator::force_size_newton(sample));
     const std::optional<double> last_mm = std::exchange(before_mm, std::nullopt);
     if (sample.kerf < 0 || sample.kerf >= kerfs.count()) continue;
-    const RigidTransform bone_from_tool = bone_from_world * transform_from(sample.world_from_tool);
-    point.advance_mm = planar_pose(kerfs.plane(sample.kerf), bone_from_tool).tip_mm.x;
+    const simulator::FragmentPose& sawn = kerfs.fragments()[kerfs.fragment_of(sample.kerf)];
+    const RigidTransform fragment_from_tool =
+        sawn.fragment_from_world * transform_from(sample.world_from_tool);
+    point.advance_mm = planar_pose(kerfs.plane(sample.kerf), fragment_from_tool).tip_mm.x;
     if (!has(sample.status, simulator::ToolStatus::Cutting)) continue;
     before_mm = point.advance_mm;
     if (last_mm) point.fed_mm += std::max(0.0, *before_mm - *last_mm);
   }
   const assessment::EffectTrack effects =
-      assessment::track_effects(bone, hand, recording, stretch, progress);
+      assessment::track_effects(bone, kerfs.tray(), is_guided, recording, stretch, progress);
   for (std::size_t point = 0; point < traces.points.size(); ++point) {
     traces.points[point].hottest_celsius = effects.hottest_celsius[point];
   }

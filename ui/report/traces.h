@@ -53,11 +53,12 @@ struct ZoneContact {
 };
 
 /// Force, feed, advance and heat in at most `points_max` stretches of equal time.
+/// is_guided  a guide led the hand
 /// needs   `kerfs` as the recording opened them
 /// errors  Cancelled
-Traces traces_of(const simulator::Recording& recording, const simulator::Bone& bone,
-                 const simulator::SawInHand& hand, const simulator::KerfSet& kerfs,
-                 std::size_t points_max = 480, const Progress& progress = {});
+Traces traces_of(const simulator::Recording& recording, const simulator::Bone& bone, bool is_guided,
+                 const simulator::KerfSet& kerfs, std::size_t points_max = 480,
+                 const Progress& progress = {});
 
 /// How often and how long the running saw was in each danger zone of the scenario, in its order.
 std::vector<ZoneContact> zone_contacts(const scenarios::Scenario& scenario,

@@ -98,5 +98,88 @@ TEST(StepOrder, WithoutStepsNothingIsOutOfOrder) {
   EXPECT_EQ(measure_step_order(made.evidence()).value, 1.0);
 }
 
+/// Steps of format 2: the cut and a mark come after the verify in any order, the removal after
+/// the cut.
+scenarios::Scenario ordered_steps() {
+  scenarios::Scenario scenario = testing::block_scenario();
+  scenario.format = 2;
+  const auto step = [&](StepKind kind, const std::string& id, std::vector<std::string> after) {
+    scenarios::OperationStep made;
+    made.kind = kind;
+    made.id = id;
+    made.after = std::move(after);
+    if (kind == StepKind::Cut || kind == StepKind::Remove) made.cut = "eminence";
+    return made;
+  };
+  scenario.steps = {step(StepKind::Verify, "verify", {}), step(StepKind::Mark, "mark", {"verify"}),
+                    step(StepKind::Cut, "cut", {"verify"}),
+                    step(StepKind::Remove, "remove", {"cut"}),
+                    step(StepKind::Finish, "finish", {"remove", "mark"})};
+  return scenario;
+}
+
+struct Said {
+  std::int64_t tick = 0;
+  CutEventKind kind = CutEventKind::StepDone;
+  std::int32_t subject = 0;
+};
+
+double ordered_share(const scenarios::Scenario& scenario, const std::vector<Said>& all) {
+  ExaminedAttempt made = examined(scenario, {Stroke{}});
+  for (const Said& said : all)
+    made.recording.events.push_back({said.tick, said.kind, said.subject, 0, {}});
+  std::stable_sort(made.recording.events.begin(), made.recording.events.end(),
+                   [](const auto& a, const auto& b) { return a.tick < b.tick; });
+  return measure_step_order(made.evidence()).value;
+}
+
+/// Verified at 5, taken out at 500, done at 510, finished at 600; the cut begins at 10.
+std::vector<Said> all_but_the_mark() {
+  return {{5},
+          {500, CutEventKind::PieceRemoved, 1},
+          {510, CutEventKind::StepDone, 3},
+          {600, CutEventKind::Finished, -1}};
+}
+
+TEST(StepOrder, WhatComesAfterTheSameStepHasNoOrder) {
+  for (const std::int64_t marked : {8, 300, 550}) {
+    std::vector<Said> all = all_but_the_mark();
+    all.push_back({marked, CutEventKind::StepDone, 1});
+    EXPECT_NEAR(ordered_share(ordered_steps(), all), 1.0, exact) << marked;
+  }
+}
+
+TEST(StepOrder, AStepBeforeWhatItComesAfterIsOutOfOrder) {
+  std::vector<Said> all = all_but_the_mark();
+  all.push_back({2, CutEventKind::StepDone, 1});
+  EXPECT_NEAR(ordered_share(ordered_steps(), all), 0.8, exact);
+}
+
+TEST(StepOrder, WhatMayBePassedOverIsMissedByNobody) {
+  EXPECT_NEAR(ordered_share(ordered_steps(), all_but_the_mark()), 0.8, exact);
+  scenarios::Scenario scenario = ordered_steps();
+  scenario.steps[1].is_optional = true;
+  EXPECT_NEAR(ordered_share(scenario, all_but_the_mark()), 1.0, exact);
+}
+
+TEST(StepOrder, OfAlternativesOneSuffices) {
+  scenarios::Scenario scenario = ordered_steps();
+  scenario.steps[1].one_of = "marking";
+  scenarios::OperationStep other = scenario.steps[1];
+  other.id = "guide";
+  scenario.steps.insert(scenario.steps.begin() + 2, other);
+  std::vector<Said> all = all_but_the_mark();
+  all[2].subject = 4;
+  all.push_back({300, CutEventKind::StepDone, 2});
+  EXPECT_NEAR(ordered_share(scenario, all), 1.0, exact);
+}
+
+TEST(StepOrder, PiecesThatAreTakenOutAfterAStepWasDoneAreNotItsOwn) {
+  std::vector<Said> all = all_but_the_mark();
+  all.push_back({300, CutEventKind::StepDone, 1});
+  all.push_back({590, CutEventKind::PieceRemoved, 2});
+  EXPECT_NEAR(ordered_share(ordered_steps(), all), 1.0, exact);
+}
+
 }  // namespace
 }  // namespace hallux::assessment

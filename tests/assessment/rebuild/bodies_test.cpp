@@ -3,83 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <array>
-#include <numeric>
-
-#include "assessment/rebuild/implants.h"
 #include "simulator/base/units.h"
-#include "tests/simulator/contact/bore/bore_world.h"
-#include "tests/simulator/step/simulation_run.h"
-#include "tests/support/worlds.h"
+#include "tests/assessment/rebuild/sawn_bar.h"
 
 namespace hallux::assessment {
 namespace {
 
 using simulator::CommandKind;
-using tests::blade_down;
 using tests::pointing;
-
-constexpr double cut_x_mm = 5.0, bar_mm3 = 30.0 * 8.0 * 8.0;
-constexpr std::int32_t wire = 1, drill = 2, screw = 3;
-
-simulator::Tray tray() {
-  simulator::Screwdriver driver{.screw = simulator::cortical_screws[2]};
-  driver.screw.length_mm = 24.0;
-  simulator::Drill bit;
-  bit.bit.length_mm = 60.0;
-  const std::array<simulator::Tool, 3> further{simulator::WireDriver{}, bit, driver};
-  return {simulator::Saw{}, further};
-}
-
-class SawnBar : public testing::Test {
- protected:
-  SawnBar() {
-    run_.glide(blade_down({cut_x_mm, -9.0, 0.0}), 2300);
-    run_.hold(1500);
-    run_.glide(blade_down({cut_x_mm, 30.0, 0.0}), 400);
-    run_.hold(20);
-  }
-  /// Grips the half beyond the cut, leads it by so much, and lets it go.
-  void lead(const Vec3& by_mm, bool impacts = false) {
-    run_.step({{CommandKind::Grip, 1, 0}});
-    run_.hold(3);
-    run_.glide(blade_down(Vec3{cut_x_mm, 30.0, 0.0} + by_mm), 400);
-    if (impacts) {
-      run_.step({{CommandKind::Impact, 0, 0}});
-      run_.hold(1200);
-    }
-    run_.step({{CommandKind::Release, 0, 0}});
-    run_.hold(5);
-  }
-  /// Along the bar, from its end beyond the cut, until the tip is there.
-  void bore(std::int32_t tool, double y_mm, double z_mm, double to_x_mm) {
-    const auto at = [&](double x_mm) { return pointing({x_mm, y_mm, z_mm}, {-1.0, 0.0, 0.0}); };
-    run_.glide(blade_down({30.0, 40.0, 0.0}), 300);
-    run_.glide(at(40.0), 400);
-    run_.step({{CommandKind::ChooseTool, tool, 0}});
-    run_.hold(3);
-    run_.glide(at(to_x_mm - 6.0), 5000);
-    for (int i = 0; i < 30000 && run_.bone_from_tool().translation_mm.x > to_x_mm; ++i)
-      run_.hold(1);
-  }
-  void draw_out() {
-    const Vec3 tip_mm = run_.bone_from_tool().translation_mm;
-    run_.glide(pointing({80.0, tip_mm.y, tip_mm.z}, {-1.0, 0.0, 0.0}), 800);
-    run_.hold(20);
-  }
-  void leave() {
-    run_.step({{CommandKind::LeaveImplant, 0, 0}});
-    draw_out();
-  }
-
-  RebuiltBone rebuilt() const { return rebuild(bone_, tray(), run_.recording()); }
-  Fixation fixation(const RebuiltBone& rebuilt, const std::vector<Body>& bodies) const {
-    return fixation_of(run_.recording(), rebuilt, bodies, bone_, {});
-  }
-
-  simulator::Bone bone_ = tests::cancellous_bone(tests::solid_block({30.0, 8.0, 8.0}));
-  tests::SimulationRun run_{bone_, blade_down({cut_x_mm, 12.0, 0.0}), tray()};
-};
 
 TEST_F(SawnBar, HasABodyForEachPartWhetherItMovedOrNot) {
   const RebuiltBone bone = rebuilt();
@@ -143,7 +74,7 @@ TEST_F(SawnBar, TellsHowFarAHalfWasLedAndWhatTouches) {
 
 TEST_F(SawnBar, AWireThroughBothEngagesBothAndCrossesTheSkinOnce) {
   lead({0.0, 0.0, 0.0});
-  bore(wire, 1.0, 1.0, -8.0);
+  bore(bar_wire, 1.0, 1.0, -8.0);
   leave();
   const RebuiltBone bone = rebuilt();
   const auto bodies = bodies_of(bone, {}, "bar");
@@ -165,14 +96,14 @@ TEST_F(SawnBar, AWireThroughBothEngagesBothAndCrossesTheSkinOnce) {
 
 TEST_F(SawnBar, AWireThatIsWithdrawnAndSetAgainCountsTwice) {
   lead({0.0, 0.0, 0.0});
-  bore(wire, 1.0, 1.0, -8.0);
+  bore(bar_wire, 1.0, 1.0, -8.0);
   leave();
   run_.step({{CommandKind::TakeImplant, 0, 0}});
   run_.glide(pointing({180.0, 1.0, 1.0}, {-1.0, 0.0, 0.0}), 1500);
   run_.hold(10);
-  run_.step({{CommandKind::ChooseTool, wire, 0}});
+  run_.step({{CommandKind::ChooseTool, bar_wire, 0}});
   run_.hold(3);
-  bore(wire, -1.0, -1.0, -8.0);
+  bore(bar_wire, -1.0, -1.0, -8.0);
   leave();
   const RebuiltBone bone = rebuilt();
   const Fixation left = fixation(bone, bodies_of(bone, {}, "bar"));
@@ -182,9 +113,9 @@ TEST_F(SawnBar, AWireThatIsWithdrawnAndSetAgainCountsTwice) {
 
 TEST_F(SawnBar, AScrewAcrossBothHoldsThem) {
   lead({0.0, 0.0, 0.0});
-  bore(drill, 0.0, 0.0, -10.0);
+  bore(bar_drill, 0.0, 0.0, -10.0);
   draw_out();
-  bore(screw, 0.0, 0.0, -8.5);
+  bore(bar_screw, 0.0, 0.0, -8.5);
   leave();
   const RebuiltBone bone = rebuilt();
   const auto bodies = bodies_of(bone, {}, "bar");

@@ -198,7 +198,8 @@ TEST_F(Tampering, WithMeasurementsOfNoSetIsNamed) {
   const std::optional<bool> found = is_named(
       "PRAGMA foreign_keys = OFF; INSERT INTO measurement SELECT 77, line, metric, cut, hinge, "
       "zone, value, absence, done_fraction, bound, direction, detail_json, remark, start_us, "
-      "end_us, x_in_bone_mm, y_in_bone_mm, z_in_bone_mm FROM measurement LIMIT 1");
+      "end_us, x_in_bone_mm, y_in_bone_mm, z_in_bone_mm, fragment, implant FROM measurement LIMIT "
+      "1");
   ASSERT_TRUE(found.has_value()) << "the row was added";
   EXPECT_TRUE(*found);
 }

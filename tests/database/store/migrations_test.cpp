@@ -151,6 +151,19 @@ TEST(Migrations, OpenADatabaseOfSchemaEightWhoseCardsHaveTheirWords) {
   EXPECT_EQ(verify(database).first_damage.value_or("none"), "none");
 }
 
+TEST(Migrations, OpenADatabaseOfSchemaNineWhoseMeasurementsKeepTheirDigest) {
+  const TemporaryDirectory temporary;
+  Database database = Database::open(place(temporary, "schema_9.db"));
+  EXPECT_EQ(number(database, "PRAGMA user_version"), newest_schema());
+  const auto attempts = list_attempts(database);
+  ASSERT_EQ(attempts.size(), 1U);
+  const auto kept = load_measurements(database, attempts[0].id, {Digest{{1}}, 1});
+  ASSERT_TRUE(kept);
+  ASSERT_EQ(kept->size(), 3U);
+  for (const Measurement& each : *kept) EXPECT_TRUE(each.fragment.empty() && each.implant.empty());
+  EXPECT_EQ(verify(database).first_damage.value_or("none"), "none");
+}
+
 TEST(Migrations, VouchForNothingThatWasAlteredBefore) {
   const TemporaryDirectory temporary;
   const fs::path directory = place(temporary, "schema_5.db");

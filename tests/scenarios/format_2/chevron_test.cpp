@@ -118,11 +118,11 @@ TEST_F(Chevron, ShiftsTheHeadFiveMillimetresAlongTheWire) {
 TEST_F(Chevron, KeepsTheScrewBelowTheCartilageOfTheShiftedHead) {
   const PlannedImplant& screw = *find_implant(plan.fixation, "screw");
   EXPECT_EQ(screw.kind, ImplantKind::Screw);
-  EXPECT_EQ(screw.length_mm, 24.0);
+  EXPECT_EQ(screw.length_mm, 22.0);
   EXPECT_EQ(screw.diameter_mm, 2.75);
   EXPECT_FALSE(screw.is_temporary);
   EXPECT_LT(
-      length_of(screw.tip_in_bone_mm - screw.entry_in_bone_mm - 24.0 * screw.direction_in_bone),
+      length_of(screw.tip_in_bone_mm - screw.entry_in_bone_mm - 22.0 * screw.direction_in_bone),
       rounding);
   // Distal, plantar, lateral.
   EXPECT_GT(screw.direction_in_bone.x, 0.5);

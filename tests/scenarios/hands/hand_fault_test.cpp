@@ -36,16 +36,49 @@ TEST(HandFault, IsReadWithItsSubjectAndItsSize) {
                                     {FaultKind::Restarts, "", 4.0}}));
 }
 
+/// With what faults of format 2 may be of.
+Scenario fixed_akin() {
+  Scenario scenario = akin();
+  scenario.fragments = {{.name = "toe", .title = "Toe", .bone = "", .holds = "", .origin = ""}};
+  Implant screw;
+  screw.name = "screw";
+  scenario.implants = {screw};
+  return scenario;
+}
+
 TEST(HandFault, IsWrittenAsItIsRead) {
+  const Scenario scenario = fixed_akin();
+  const auto read = [&](const HandFault& fault) {
+    return parse_hand_faults(std::vector{text_of(fault)}, scenario);
+  };
   for (const FaultRow& row : fault_table()) {
     HandFault fault{row.kind, "", row.usual_size};
     if (row.subject == FaultSubject::Step) fault.subject = "verify";
-    if (row.subject == FaultSubject::Zone) fault.subject = akin().danger_zones.at(0).name;
-    EXPECT_EQ(parsed({text_of(fault)}), std::vector{fault}) << row.name;
+    if (row.subject == FaultSubject::Zone) fault.subject = scenario.danger_zones.at(0).name;
+    if (row.subject == FaultSubject::Fragment) fault.subject = "toe";
+    if (row.subject == FaultSubject::Implant) fault.subject = "screw";
+    EXPECT_EQ(read(fault), std::vector{fault}) << row.name;
     if (row.subject != FaultSubject::MayBeCut) continue;
     fault.subject = "distal_face";
-    EXPECT_EQ(parsed({text_of(fault)}), std::vector{fault}) << row.name;
+    EXPECT_EQ(read(fault), std::vector{fault}) << row.name;
   }
+}
+
+TEST(HandFault, OfAFragmentOrAnImplantNeedsOne) {
+  EXPECT_EQ(refusal_of({"shift_by:toe"}),
+            "fault \"shift_by:toe\": akin has none that it could be of");
+  EXPECT_EQ(refusal_of({"length:nail=3"}, fixed_akin()),
+            "fault \"length:nail=3\": akin has no \"nail\" that it could be of; write "
+            "length:IMPLANT[=6 mm] with screw");
+}
+
+TEST(HandFault, NamesAStepOfFormat2ByItsId) {
+  OperationStep step;
+  step.kind = StepKind::Fix;
+  step.id = "fix";
+  EXPECT_EQ(fault_name_of(step), "fix");
+  step.kind = StepKind::Finish;
+  EXPECT_EQ(fault_name_of(step), "") << "no hand leaves it out";
 }
 
 TEST(HandFault, HasARowForEachKindWithAUsualSizeInItsRange) {
@@ -56,7 +89,7 @@ TEST(HandFault, HasARowForEachKindWithAUsualSizeInItsRange) {
     EXPECT_LE(rows[i].usual_size, rows[i].greatest);
     EXPECT_FALSE(rows[i].effect.empty());
   }
-  EXPECT_EQ(rows.back().kind, FaultKind::TouchZone);
+  EXPECT_EQ(rows.back().kind, FaultKind::WrongBlade);
 }
 
 TEST(HandFault, NamesTheHandInTheRecord) {
@@ -111,7 +144,7 @@ TEST(HandFault, TwiceTheSameOrTooManyForTheRecordIsRefused) {
   EXPECT_EQ(refusal_of({"tilt=1", "tilt:distal_face=2"}), "");
   std::vector<std::string> many;
   for (const FaultRow& row : fault_table()) {
-    if (row.subject != FaultSubject::MayBeCut) continue;
+    if (row.subject != FaultSubject::MayBeCut || row.unit.empty()) continue;
     for (const char* cut : {"", ":proximal_face", ":distal_face"}) {
       many.push_back(std::string(row.name) + cut + "=1.2345678");
     }

@@ -19,6 +19,10 @@ std::string draw_piece();
 std::string draw_wedge();
 /// The wedge taken out and closed.
 std::string draw_closing();
+/// The arms of a V, their axis, and what stands out after a shift.
+std::string draw_arms_of_a_v();
+/// A fragment against its plan, and the screw that holds it.
+std::string draw_fixation();
 /// What must not be touched: zones, joints, hot bone.
 std::string draw_harm();
 /// Push and way of the teeth over a break-through.

@@ -230,6 +230,8 @@ std::vector<Picture> metric_pictures() {
           {"piece", draw_piece()},
           {"wedge", draw_wedge()},
           {"closing", draw_closing()},
+          {"arms", draw_arms_of_a_v()},
+          {"fixation", draw_fixation()},
           {"harm", draw_harm()},
           {"break_through", draw_break_through()},
           {"timeline", draw_timeline()},

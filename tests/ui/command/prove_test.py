@@ -84,7 +84,7 @@ class WhatIf(CommandTest):
         metrics = {metric["id"]: metric for metric in self.ask("metrics")}
         for metric in metrics.values():
             self.assertEqual(set(metric), {"id", "unit", "about", "better", "formula", "source"})
-            self.assertIn(metric["about"], ("cut", "hinge", "zone", "step", "attempt"))
+            self.assertIn(metric["about"], ("cut", "hinge", "zone", "fragment", "implant", "step", "attempt"))
             self.assertIn(metric["better"], ("lower", "higher", "band"))
         attempt = self.ask("attempt", self.write("coarse.json", coarse_silver()))["attempt"]
         for measured in self.ask("score", attempt)["measurements"]:

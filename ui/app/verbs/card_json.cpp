@@ -81,6 +81,8 @@ ordered_json measurements_json(std::span<const assessment::Measurement> measurem
         {"cut", named_or_null(each.cut)},
         {"hinge", named_or_null(each.hinge)},
         {"zone", named_or_null(each.zone)},
+        {"fragment", named_or_null(each.fragment)},
+        {"implant", named_or_null(each.implant)},
         {"value", is_measured ? ordered_json(each.value) : ordered_json()},
         {"unit", metric == nullptr ? "" : metric->unit},
         {"bound", is_measured ? ordered_json(each.bound) : ordered_json()},

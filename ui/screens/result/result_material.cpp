@@ -171,8 +171,8 @@ EffectFacts effects_of(const AttemptMaterial& material, const Examination& exami
   effects.traces = cancelled_as("stopped before the heat was followed", [&] {
     return traces_of(
         material.recording, material.bone,
-        {material.scenario.saw, material.header.begun.guidance != simulator::Guidance::None},
-        examination.rebuilt.fields, trace_points, [&](double fraction) {
+        material.header.begun.guidance != simulator::Guidance::None, examination.rebuilt.fields,
+        trace_points, [&](double fraction) {
           return report.reached(score_share + (effects_share - score_share) * fraction);
         });
   });

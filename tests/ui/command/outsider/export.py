@@ -75,6 +75,24 @@ class Export:
         self.bone_from_world = pose_from_matrix(self.plan["world_from_bone"]).inverse()
         self.blade = self.plan["blade"]
 
+    @functools.cached_property
+    def fragments(self):
+        return json.loads((self.folder / "fragments.json").read_text())
+
+    def mesh_as_it_lies(self, body):
+        """Of an entry of fragments.json."""
+        pose = pose_from_matrix(body["pose"])
+        meshes = [read_ply(self.folder / file) for file in body["files"]]
+        points = [pose.point(point) for mesh in meshes for point in mesh.points]
+        triangles, first = [], 0
+        for mesh in meshes:
+            triangles += [tuple(corner + first for corner in triangle) for triangle in mesh.triangles]
+            first += len(mesh.points)
+        return Mesh(points, triangles)
+
+    def bodies_as_they_lie(self):
+        return [self.mesh_as_it_lies(body) for body in self.fragments if not body["taken_out"]]
+
     def rows(self, name):
         with (self.folder / f"{name}.csv").open(newline="") as file:
             lines = csv.reader(file)

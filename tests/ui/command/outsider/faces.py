@@ -162,7 +162,53 @@ def is_ledge(face, other):
     return bool(heights) and sum(heights) / len(heights) > 0.5
 
 
-def cut_metrics(export, name, faces):
+def partner_of(export, cut):
+    """Row included_angle_deg: the first other cut that is planned to contain the same direction within 0.1 degrees."""
+    for other in export.plan["cuts"]:
+        if other["name"] != cut["name"] and length(cross(other["contains"], cut["contains"])) <= 1.75e-3:
+            return other["name"]
+    return None
+
+
+def included_deg(one, other, planned_deg=0.0):
+    sharp = math.degrees(math.acos(min(1.0, abs(dot(one, other)))))
+    return min(sharp, 180.0 - sharp, key=lambda angle: abs(angle - planned_deg))
+
+
+def axis_metrics(export, cut, planned, face, faces_of_cut):
+    leaves = math.asin(min(1.0, abs(dot(face.plane.normal, cut["contains"]))))
+    found = {"common_axis_deg": math.degrees(leaves), "included_angle_deg": None}
+    partner = partner_of(export, cut)
+    other = counting(faces_of_cut[partner]) if partner else []
+    if other:
+        planned_deg = included_deg(planned.normal, export.planned_plane(partner).normal)
+        found["included_angle_deg"] = included_deg(face.plane.normal, other[0].plane.normal, planned_deg)
+    return found
+
+
+def overhang_mm(export, cut, planned):
+    """Row overhang_mm: the corners of what is left between depth point and exit, and where edges cross those ends."""
+    depth, exit_ = cut["depth_in_bone_mm"], cut["exit_in_bone_mm"]
+    along = scaled(sub(exit_, depth), 1 / length(sub(exit_, depth)))
+    ends = dot(along, depth), dot(along, exit_)
+    most = 0.0
+    for mesh in export.bodies_as_they_lie():
+        beyond = [planned.height_mm(point) for point in mesh.points]
+        at = [dot(along, point) for point in mesh.points]
+        for triangle in mesh.triangles:
+            for one, other in zip(triangle, triangle[1:] + triangle[:1]):
+                if beyond[one] <= most and beyond[other] <= most:
+                    continue
+                if ends[0] <= at[one] <= ends[1]:
+                    most = max(most, beyond[one])
+                for end in ends:
+                    if (at[one] < end) != (at[other] < end):
+                        share = (end - at[one]) / (at[other] - at[one])
+                        most = max(most, beyond[one] + share * (beyond[other] - beyond[one]))
+    return most
+
+
+def cut_metrics(export, name, faces, faces_of_cut):
     """The tables of "Faces" and "Silver"."""
     cut, planned, face = export.cut(name), export.planned_plane(name), faces[0]
     is_along = cut["kind"] == "along_axis"
@@ -179,8 +225,12 @@ def cut_metrics(export, name, faces):
              "ledges_count": sum(is_ledge(face, other) for other in faces[1:])}
     found["plunge_mm"], found["breakthrough_newton"], found["breakthrough_mm_s"] = break_throughs(
         export, [each.kerf for each in faces])
+    found |= axis_metrics(export, cut, planned, face, faces_of_cut)
+    # One blade is laid out.
+    found["right_tool"] = 1
     if is_along:
         found |= resection_metrics(cut, planned, faces)
+        found["overhang_mm"] = overhang_mm(export, cut, planned)
     else:
         made, plan = distal(face.plane), distal(planned)
         found["transverse_tilt_deg"] = transverse_deg(made) - transverse_deg(plan)

@@ -15,7 +15,7 @@ LEFT_OUT = {
     "joint_margin_mm": OPENED,
     "hinge_mm": OPENED,
     "hinge_lost": OPENED,
-    "over_cut_mm": OPENED,
+    "over_cut_mm": OPENED + "; of a cut for its section of the bone as it was left before",
     "piece_out": "asks for the bone between the faces, which a program tells that cuts solids",
     "path_ratio": "asks for the plan's strokes, which an export does not tell",
 }
@@ -32,7 +32,7 @@ def recomputed(export):
     found["restarts_count", ""] = restarts_count(export, faces)
     for cut, made in faces.items():
         if counting(made):
-            found |= cut_metrics(export, cut, made)
+            found |= cut_metrics(export, cut, made, faces)
     for hinge in export.plan["hinges"]:
         first, second = (counting(faces[hinge[key]]) for key in ("first_cut", "second_cut"))
         if first and second:

@@ -342,8 +342,8 @@ TEST(ResultScreen, TellsHeatBendAndDangerZonesAsTheReportDoes) {
   SawnCourse akin;
   const assessment::Examination examination = assessment::assess_fully(
       akin.operation.scenario, akin.operation.bone, akin.operation.recording, "scripted");
-  const Traces traces = traces_of(akin.operation.recording, akin.operation.bone,
-                                  {akin.operation.scenario.saw}, examination.rebuilt.fields);
+  const Traces traces =
+      traces_of(akin.operation.recording, akin.operation.bone, false, examination.rebuilt.fields);
   ASSERT_TRUE(was_hot(traces.heat)) << traces.heat.hottest_celsius;
   Reader reader(akin.course, "ada", akin.attempt);
   Driver& driver = reader.driver();

@@ -1,0 +1,19 @@
+/// With which tools of the tray kerfs were sawn. Inside this room only.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "simulator/record/record.h"
+
+namespace hallux::assessment {
+
+/// The first tick at which one of these kerfs was cut with another tool than that on the tray's
+/// `place`; nothing where none was.
+/// needs   samples and events are in the order of their ticks
+std::optional<std::int64_t> first_cut_with_another(const simulator::Recording& recording,
+                                                   std::span<const std::int32_t> kerfs,
+                                                   std::int32_t place);
+
+}  // namespace hallux::assessment

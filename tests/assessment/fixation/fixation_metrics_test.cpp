@@ -1,0 +1,205 @@
+/// A bar that was sawn in two, held against plans whose numbers are known by hand.
+#include <gtest/gtest.h>
+
+#include "assessment/fixation/measure_fragments.h"
+#include "assessment/fixation/measure_implants.h"
+#include "simulator/base/units.h"
+#include "tests/assessment/rebuild/sawn_bar.h"
+
+namespace hallux::assessment {
+namespace {
+
+using scenarios::ImplantKind;
+using scenarios::OperationStep;
+using scenarios::PlannedImplant;
+using scenarios::StepKind;
+
+/// The half beyond the cut is to be led by 4 mm to lateral.
+scenarios::Plan plan_of_the_end() {
+  scenarios::Plan plan;
+  plan.fixation.fragments.push_back({.name = "end",
+                                     .bone = 0,
+                                     .holds_in_bone_mm = {10.0, 0.0, 0.0},
+                                     .volume_mm3 = 9.75 * 64.0,
+                                     .bone_from_rest = {{1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 4.0}}});
+  return plan;
+}
+
+/// One of the alternatives with which the half may be fixed.
+OperationStep fixing(const std::string& id, const std::vector<std::string>& implants) {
+  OperationStep step;
+  step.kind = StepKind::Fix;
+  step.id = id;
+  step.one_of = "fixing";
+  step.implants = implants;
+  return step;
+}
+
+/// Along the bar, from its end.
+PlannedImplant along(ImplantKind kind, const std::string& name, double y_mm, double z_mm,
+                     double length_mm) {
+  PlannedImplant planned;
+  planned.kind = kind;
+  planned.name = name;
+  planned.entry_in_bone_mm = {15.0, y_mm, z_mm};
+  planned.tip_in_bone_mm = {15.0 - length_mm, y_mm, z_mm};
+  planned.direction_in_bone = {-1.0, 0.0, 0.0};
+  planned.length_mm = length_mm;
+  planned.lengths = {length_mm - 1.0, length_mm + 1.0};
+  planned.diameters = {1.5, 2.7};
+  planned.engages = {"end", "bar"};
+  return planned;
+}
+
+class Fixed : public SawnBar {
+ protected:
+  void measure(const scenarios::Plan& plan) {
+    const RebuiltBone rebuilt = SawnBar::rebuilt();
+    const std::vector<std::vector<CutFace>> faces;
+    const Evidence evidence{scenario_, plan, rebuilt, faces, bone_, run_.recording()};
+    const WhatIsLeft left = what_is_left(evidence);
+    all_ = measure_fragments(left, evidence);
+    for (Measurement& each : measure_implants(left, evidence)) all_.push_back(std::move(each));
+  }
+  const Measurement& find(const std::string& metric, const std::string& subject) const {
+    for (const Measurement& each : all_) {
+      if (each.metric == metric && (each.fragment == subject || each.implant == subject))
+        return each;
+    }
+    ADD_FAILURE() << metric << " of " << subject << " is not there";
+    return all_.front();
+  }
+  double value(const std::string& metric, const std::string& subject) const {
+    const Measurement& found = find(metric, subject);
+    EXPECT_TRUE(found.is_measured()) << metric << " of " << subject;
+    return found.value;
+  }
+  void set_wire(double y_mm, double z_mm) {
+    bore(bar_wire, y_mm, z_mm, -8.0);
+    leave();
+  }
+  void take(std::int32_t implant) {
+    run_.step({{simulator::CommandKind::TakeImplant, implant, 0}});
+    run_.glide(tests::pointing({180.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}), 1500);
+    run_.hold(10);
+    run_.step({{simulator::CommandKind::ChooseTool, bar_wire, 0}});
+    run_.hold(3);
+  }
+
+  scenarios::Scenario scenario_;
+  std::vector<Measurement> all_;
+};
+
+TEST_F(Fixed, AFragmentThatWasLedTooShort) {
+  lead({0.0, 0.0, 3.0});
+  measure(plan_of_the_end());
+  EXPECT_NEAR(value("shift_mm", "end"), 3.0, 0.02);
+  EXPECT_NEAR(value("shift_error_mm", "end"), 1.0, 0.02);
+  EXPECT_EQ(find("shift_error_mm", "end").direction, "medial");
+  EXPECT_NEAR(value("turn_error_deg", "end"), 0.0, 0.05);
+  EXPECT_NEAR(value("elevation_mm", "end"), 0.0, 0.02);
+  EXPECT_EQ(value("contact_share", "end"), 0.0) << "the kerf is between them";
+  EXPECT_NEAR(value("gap_mm", "end"), 0.5, 0.02);
+  EXPECT_EQ(value("fixed", "end"), 0.0);
+  EXPECT_EQ(find("shift_error_mm", "end").start_us,
+            run_.events(simulator::CutEventKind::Released).back().tick * 1000);
+}
+
+TEST_F(Fixed, AFragmentThatIsRaised) {
+  lead({0.0, 1.0, 4.0});
+  measure(plan_of_the_end());
+  EXPECT_NEAR(value("elevation_mm", "end"), 1.0, 0.02);
+  EXPECT_EQ(find("elevation_mm", "end").direction, "dorsal");
+}
+
+TEST_F(Fixed, WhatWasNeverPartedIsNotDone) {
+  scenarios::Plan plan = plan_of_the_end();
+  plan.fixation.fragments[0].name = "elsewhere";
+  plan.fixation.fragments[0].holds_in_bone_mm = {10.0, 20.0, 0.0};
+  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  measure(plan);
+  for (const Measurement& each : all_) EXPECT_EQ(each.absence, Absence::NotDone) << each.metric;
+  EXPECT_EQ(all_.size(), 15U);
+}
+
+TEST_F(Fixed, AWireAgainstItsPlan) {
+  lead({0.0, 0.0, 0.0});
+  set_wire(1.0, 1.0);
+  scenarios::Plan plan = plan_of_the_end();
+  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 0.0, 1.0, 26.0)};
+  measure(plan);
+  EXPECT_NEAR(value("entry_mm", "pin"), 1.0, 0.01);
+  EXPECT_EQ(find("entry_mm", "pin").direction, "dorsal");
+  EXPECT_NEAR(value("direction_deg", "pin"), 0.0, 0.1);
+  EXPECT_NEAR(value("length_error_mm", "pin"), 2.0, 0.3);
+  EXPECT_EQ(find("length_error_mm", "pin").direction, "short");
+  EXPECT_EQ(value("protrusion_mm", "pin"), 0.0);
+  EXPECT_EQ(value("cortices", "pin"), 1.0);
+  EXPECT_EQ(value("insertions", "pin"), 1.0);
+  EXPECT_EQ(value("right_tool", "pin"), 1.0);
+  EXPECT_EQ(find("tip_to_joint_mm", "pin").absence, Absence::Undefined) << "no joint is planned";
+  EXPECT_EQ(value("fixed", "end"), 0.0) << "it may turn";
+}
+
+TEST_F(Fixed, AWireOfAnotherDiameterIsNotTheRightTool) {
+  lead({0.0, 0.0, 0.0});
+  set_wire(1.0, 1.0);
+  scenarios::Plan plan = plan_of_the_end();
+  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  plan.fixation.implants[0].diameters = {1.1, 1.4};
+  measure(plan);
+  EXPECT_EQ(value("right_tool", "pin"), 0.0);
+}
+
+TEST_F(Fixed, ATryThatWasTakenOutCountsAndTheLastOneIsMeasured) {
+  lead({0.0, 0.0, 0.0});
+  set_wire(1.0, 1.0);
+  take(0);
+  set_wire(-1.0, -1.0);
+  scenarios::Plan plan = plan_of_the_end();
+  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  measure(plan);
+  EXPECT_EQ(value("insertions", "pin"), 2.0);
+  EXPECT_NEAR(value("entry_mm", "pin"), 2.0 * std::sqrt(2.0), 0.02);
+  plan.fixation.implants[0].is_temporary = true;
+  measure(plan);
+  EXPECT_EQ(value("insertions", "pin"), 2.0);
+  EXPECT_NEAR(value("entry_mm", "pin"), 2.0 * std::sqrt(2.0), 0.02) << "of tries the last counts";
+}
+
+TEST_F(Fixed, WhatWasToComeOutAgainIsMeasuredAsItWasLeft) {
+  lead({0.0, 0.0, 0.0});
+  set_wire(1.0, 1.0);
+  take(0);
+  scenarios::Plan plan = plan_of_the_end();
+  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  measure(plan);
+  EXPECT_EQ(find("entry_mm", "pin").absence, Absence::NotDone) << "it was to stay";
+  plan.fixation.implants[0].is_temporary = true;
+  measure(plan);
+  EXPECT_NEAR(value("entry_mm", "pin"), 0.0, 0.01);
+  EXPECT_EQ(value("cortices", "pin"), 1.0);
+}
+
+TEST_F(Fixed, OfAlternativesThatWhichWasCarriedOutIsMeasuredAndTheOtherLosesNothing) {
+  scenarios::Plan plan = plan_of_the_end();
+  plan.fixation.implants = {along(ImplantKind::Wire, "first", 1.0, 1.0, 23.0),
+                            along(ImplantKind::Wire, "second", -2.0, -1.0, 23.0),
+                            along(ImplantKind::Screw, "screw", 0.0, 0.0, 23.0)};
+  scenario_.steps = {fixing("a", {"screw"}), fixing("b", {"first", "second"})};
+  measure(plan);
+  EXPECT_EQ(find("entry_mm", "fixing").absence, Absence::NotDone);
+  lead({0.0, 0.0, 0.0});
+  set_wire(1.0, 1.0);
+  measure(plan);
+  EXPECT_EQ(find("entry_mm", "fixing").absence, Absence::NotDone) << "the second is missing";
+  set_wire(-1.0, -1.0);
+  measure(plan);
+  EXPECT_NEAR(value("entry_mm", "first"), 0.0, 0.02);
+  EXPECT_NEAR(value("entry_mm", "second"), 1.0, 0.02);
+  EXPECT_NEAR(value("entry_mm", "fixing"), 1.0, 0.02) << "the worse of the two";
+  EXPECT_EQ(find("entry_mm", "screw").absence, Absence::Undefined) << "it was not chosen";
+}
+
+}  // namespace
+}  // namespace hallux::assessment
