@@ -51,8 +51,8 @@ std::string plan_refusal_of(const json& whole, const simulator::Bone& bone) {
 json block_json() {
   json block = fixture_json("chevron");
   block["name"] = "block";
-  for (const char* part :
-       {"points", "directions", "fragments", "shifts", "wires", "screws", "joint_surfaces"})
+  for (const char* part : {"points", "directions", "fragments", "shifts", "wires", "screws",
+                           "joint_surfaces", "proof"})
     block.erase(part);
   block["danger_zones"] = json::array();
   block["cuts"] = {
