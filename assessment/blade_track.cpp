@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "assessment/process/tools_used.h"
 #include "simulator/record/sample_force.h"
 
 namespace hallux::assessment {
@@ -28,7 +29,7 @@ std::array<Vec3, 3> teeth_at(const ToolSample& sample, const RigidTransform& bon
 std::vector<ToothPoint> cutting_tooth_points(const Recording& recording, const RebuiltBone& rebuilt,
                                              const simulator::Bone& bone, std::int32_t kerf) {
   const RigidTransform bone_from_world = inverse(bone.world_from_bone);
-  const double width_mm = rebuilt.fields.blade().width_mm;
+  const double width_mm = blade_of_kerf(recording, rebuilt, kerf).width_mm;
   std::vector<ToothPoint> points;
   for (const ToolSample& sample : recording.samples) {
     if (sample.kerf != kerf || !has(sample.status, ToolStatus::Cutting)) continue;
@@ -43,7 +44,7 @@ std::optional<Reach> measure_reach(const Recording& recording, const RebuiltBone
                                    const simulator::Bone& bone, std::int32_t kerf,
                                    const ReachLimit& limit) {
   const RigidTransform bone_from_world = inverse(bone.world_from_bone);
-  const double width_mm = rebuilt.fields.blade().width_mm;
+  const double width_mm = blade_of_kerf(recording, rebuilt, kerf).width_mm;
   std::optional<Reach> reach;
   double deepest_mm = 0.0;
   for (const ToolSample& sample : recording.samples) {

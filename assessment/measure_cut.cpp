@@ -355,9 +355,9 @@ std::vector<Measurement> measure_cut(std::size_t cut, const Evidence& evidence) 
   }
   add_over_cut(made, planned, face, kerfs, evidence);
   add_right_tool(made, planned, face, kerfs, evidence);
-  add_break_throughs(
-      made, planned, faces, kerfs, rebuilt,
-      {evidence.recording, rebuilt.fields.blade(), inverse(evidence.bone.world_from_bone)});
+  add_break_throughs(made, planned, faces, kerfs, rebuilt,
+                     {evidence.recording, blade_of_kerf(evidence.recording, rebuilt, face.kerf),
+                      inverse(evidence.bone.world_from_bone)});
   for (Measurement& each : made) each.done_fraction = face.done_fraction;
   return made;
 }

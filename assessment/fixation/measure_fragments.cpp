@@ -8,6 +8,7 @@
 #include "assessment/process/sample_spans.h"
 #include "scenarios/metric_names.h"
 #include "scenarios/site/bone_words.h"
+#include "simulator/record/fragment_poses.h"
 
 namespace hallux::assessment {
 
@@ -29,13 +30,18 @@ struct LeftFragment {
   Moment last_laid;
 };
 
-/// When it was laid down last; the end where it never was.
-Moment last_laid(const Body& body, const simulator::Recording& recording) {
-  std::int64_t tick = last_tick_of(recording);
-  for (const simulator::CutEvent& event : recording.events) {
-    const bool is_laid = event.kind == simulator::CutEventKind::Released ||
-                         event.kind == simulator::CutEventKind::HingeClosed;
-    if (is_laid && event.subject == body.fragment) tick = event.tick;
+/// When it was laid down last, or turned as a hinge closed; the end where it never was.
+Moment last_laid(const Body& body, const Evidence& evidence) {
+  std::int64_t tick = last_tick_of(evidence.recording);
+  simulator::FragmentPoses fragments(evidence.bone.world_from_bone);
+  bool was_moved = false;
+  for (const simulator::CutEvent& event : evidence.recording.events) {
+    fragments.apply(event);
+    const bool is_moved = body.fragment < fragments.count() && fragments[body.fragment].is_moved;
+    const bool is_laid =
+        event.kind == simulator::CutEventKind::Released && event.subject == body.fragment;
+    if (is_laid || (is_moved && !was_moved)) tick = event.tick;
+    was_moved = is_moved;
   }
   return {tick, tick};
 }
@@ -101,7 +107,7 @@ std::vector<Measurement> measure_fragments(const WhatIsLeft& left, const Evidenc
     if (found != left.bodies.end()) {
       const auto index = static_cast<std::size_t>(found - left.bodies.begin());
       made = FragmentMetrics({planned, *found, left.placements[index], left.is_held[index],
-                              last_laid(*found, evidence.recording)})
+                              last_laid(*found, evidence)})
                  .all();
     }
     for (Measurement& each : made) {

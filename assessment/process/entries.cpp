@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "assessment/process/tools_used.h"
 #include "scenarios/site/planned_passes.h"
 
 namespace hallux::assessment {
@@ -55,8 +56,9 @@ std::int64_t needed_in(const RebuiltKerf& kerf, double width_mm) {
 /// Of the face that counts; none where the cut was not made.
 std::int64_t needed_of(const std::vector<CutFace>& faces, const Evidence& evidence) {
   if (faces.empty()) return 0;
-  const auto kerf = static_cast<std::size_t>(faces.front().kerf);
-  return needed_in(evidence.rebuilt.kerfs[kerf], evidence.rebuilt.fields.blade().width_mm);
+  const std::int32_t kerf = faces.front().kerf;
+  const simulator::Blade& blade = blade_of_kerf(evidence.recording, evidence.rebuilt, kerf);
+  return needed_in(evidence.rebuilt.kerfs[static_cast<std::size_t>(kerf)], blade.width_mm);
 }
 
 }  // namespace

@@ -4,6 +4,18 @@
 
 namespace hallux::assessment {
 
+const simulator::Blade& blade_of_kerf(const simulator::Recording& recording,
+                                      const RebuiltBone& rebuilt, std::int32_t kerf) {
+  const simulator::Tray& tray = rebuilt.fields.tray();
+  std::int32_t saw = 0, frozen = 0;
+  for (const simulator::CutEvent& event : recording.events) {
+    if (event.kind == simulator::CutEventKind::ToolChosen && tray.saw(event.subject) != nullptr)
+      saw = event.subject;
+    if (event.kind == simulator::CutEventKind::PlaneFrozen && frozen++ == kerf) break;
+  }
+  return tray.saw(saw)->blade;
+}
+
 std::optional<std::int64_t> first_cut_with_another(const simulator::Recording& recording,
                                                    std::span<const std::int32_t> kerfs,
                                                    std::int32_t place) {

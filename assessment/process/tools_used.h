@@ -5,9 +5,15 @@
 #include <optional>
 #include <span>
 
+#include "assessment/rebuild/rebuild.h"
 #include "simulator/record/record.h"
 
 namespace hallux::assessment {
+
+/// The blade that began a kerf.
+/// needs   rebuilt from that recording
+const simulator::Blade& blade_of_kerf(const simulator::Recording& recording,
+                                      const RebuiltBone& rebuilt, std::int32_t kerf);
 
 /// The first tick at which one of these kerfs was cut with another tool than that on the tray's
 /// `place`; nothing where none was.

@@ -151,17 +151,44 @@ TEST(Migrations, OpenADatabaseOfSchemaEightWhoseCardsHaveTheirWords) {
   EXPECT_EQ(verify(database).first_damage.value_or("none"), "none");
 }
 
+/// What the program of schema 9 wrote has neither of the columns that came with schema 10.
+void take_back_to_schema_nine(const fs::path& directory) {
+  SQLite::Database tool{(directory / "hallux.db").string(), SQLite::OPEN_READWRITE};
+  tool.exec("ALTER TABLE measurement DROP COLUMN implant");
+  tool.exec("ALTER TABLE measurement DROP COLUMN fragment");
+  tool.exec("PRAGMA user_version = 9");
+}
+
 TEST(Migrations, OpenADatabaseOfSchemaNineWhoseMeasurementsKeepTheirDigest) {
   const TemporaryDirectory temporary;
-  Database database = Database::open(place(temporary, "schema_9.db"));
+  const MeasuredBy by{Digest{{1}}, 1};
+  std::vector<Measurement> rows = some_measurements();
+  {
+    Database database = Database::open(temporary.data());
+    const AttemptId id = record(database, some_attempt(database), some_recording(100));
+    store_measurements(database, id, by, rows, std::nullopt);
+  }
+  take_back_to_schema_nine(temporary.data());
+  Database database = Database::open(temporary.data());
   EXPECT_EQ(number(database, "PRAGMA user_version"), newest_schema());
   const auto attempts = list_attempts(database);
   ASSERT_EQ(attempts.size(), 1U);
-  const auto kept = load_measurements(database, attempts[0].id, {Digest{{1}}, 1});
+  const auto kept = load_measurements(database, attempts[0].id, by);
   ASSERT_TRUE(kept);
-  ASSERT_EQ(kept->size(), 3U);
+  ASSERT_EQ(kept->size(), rows.size());
   for (const Measurement& each : *kept) EXPECT_TRUE(each.fragment.empty() && each.implant.empty());
   EXPECT_EQ(verify(database).first_damage.value_or("none"), "none");
+}
+
+TEST(Migrations, MeasurementsHaveTheDigestThatSchemaNineGaveThem) {
+  // As the program of schema 9 wrote it.
+  const MeasurementKey key{AttemptId{"afef5cb4-0b19-4e4d-b4be-f71e341a517a"},
+                           Digest{{0x9D, 0x57, 0x68, 0xAB, 0x63, 0x24, 0x65, 0x57, 0xAA, 0xC9, 0xC3,
+                                   0x45, 0x53, 0xA9, 0x95, 0x58, 0xBB, 0x49, 0xD3, 0x7B, 0xDF, 0x60,
+                                   0xAD, 0xCD, 0x09, 0xC8, 0xAF, 0x5E, 0x0E, 0x11, 0x6B, 0xDB}},
+                           {Digest{{1}}, 1}};
+  EXPECT_EQ(hex_from_digest(measurements_digest(key, some_measurements())),
+            "5a41ab96d288a84a53731bef685aec70fd1884200ef4ad1ec5ce07a5a42a53ef");
 }
 
 TEST(Migrations, VouchForNothingThatWasAlteredBefore) {
