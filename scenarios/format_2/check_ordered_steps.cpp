@@ -158,9 +158,7 @@ class StepCheck {
   }
 
   static bool does_the_same(const OperationStep& one, const OperationStep& other) {
-    const auto is_sawing = [](const OperationStep& each) {
-      return each.kind == StepKind::Cut || each.kind == StepKind::Trim;
-    };
+    const auto is_sawing = [](const OperationStep& each) { return is_sawn(each); };
     if (is_sawing(one) && is_sawing(other)) return one.cut == other.cut;
     if (one.kind != other.kind) return false;
     switch (one.kind) {
@@ -192,8 +190,7 @@ class StepCheck {
   void check_all_used() const {
     check_used(scenario_.cuts, "cuts", "add a step of kind \"cut\" or \"trim\" for it",
                [](const OperationStep& each, const std::string& name) {
-                 return each.cut == name &&
-                        (each.kind == StepKind::Cut || each.kind == StepKind::Trim);
+                 return each.cut == name && is_sawn(each);
                });
     check_used(
         scenario_.shifts, "shifts", "add a step of kind \"shift\" for it",

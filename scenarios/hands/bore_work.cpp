@@ -33,9 +33,7 @@ void BoreWork::enter(Phase phase) noexcept {
 }
 
 bool BoreWork::goes_to(Handle& handle, double feed_mm, double span_s) const noexcept {
-  const double most_mm = skill_.approach_mm_s * span_s;
-  handle.feed_mm += std::clamp(feed_mm - handle.feed_mm, -most_mm, most_mm);
-  return handle.feed_mm == feed_mm;
+  return lead_to(handle, feed_mm, skill_.approach_mm_s * span_s);
 }
 
 void BoreWork::go_on(Handle& handle, const HandSenses& senses, double felt_newton,

@@ -109,11 +109,9 @@ bool FeelingHand::goes_on(double span_s) noexcept {
 }
 
 bool FeelingHand::leads_on(const Act& act, double span_s) noexcept {
-  const double most_mm = skill_.approach_mm_s * span_s;
-  handle_.feed_mm += std::clamp(act.feed_mm - handle_.feed_mm, -most_mm, most_mm);
   handle_.saw_runs = act.saw_runs;
   handle_.irrigates = act.saw_runs && skill_.cooling.has_water;
-  return handle_.feed_mm == act.feed_mm;
+  return lead_to(handle_, act.feed_mm, skill_.approach_mm_s * span_s);
 }
 
 /// Until it has been idle for as long as its work so far asks.

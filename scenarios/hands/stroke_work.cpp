@@ -55,9 +55,7 @@ void StrokeWork::enter(Phase phase) noexcept {
 
 bool StrokeWork::goes_to(Handle& handle, double feed_mm, double speed_mm_s,
                          double span_s) const noexcept {
-  const double most_mm = speed_mm_s * span_s;
-  handle.feed_mm += std::clamp(feed_mm - handle.feed_mm, -most_mm, most_mm);
-  return handle.feed_mm == feed_mm;
+  return lead_to(handle, feed_mm, speed_mm_s * span_s);
 }
 
 void StrokeWork::go_on(Handle& handle, const HandSenses& senses, double felt_newton,

@@ -9,6 +9,7 @@
 ///                                      Look <-> in doubt how deep it is
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "scenarios/hands/hand_senses.h"
@@ -22,6 +23,12 @@ struct Handle {
   double feed_mm = 0.0, along_mm = 0.0;
   bool saw_runs = false, irrigates = false;
 };
+
+/// Moves the handle along the feed by at most so much; whether it is there.
+inline bool lead_to(Handle& handle, double feed_mm, double most_mm) noexcept {
+  handle.feed_mm += std::clamp(feed_mm - handle.feed_mm, -most_mm, most_mm);
+  return handle.feed_mm == feed_mm;
+}
 
 /// How far in front of the bone a hand waits between strokes [mm].
 inline constexpr double hover_mm = 15.0;

@@ -14,17 +14,6 @@ using scenarios::OperationStep;
 using scenarios::PlannedImplant;
 using scenarios::StepKind;
 
-/// The half beyond the cut is to be led by 4 mm to lateral.
-scenarios::Plan plan_of_the_end() {
-  scenarios::Plan plan;
-  plan.fixation.fragments.push_back({.name = "end",
-                                     .bone = 0,
-                                     .holds_in_bone_mm = {10.0, 0.0, 0.0},
-                                     .volume_mm3 = 9.75 * 64.0,
-                                     .bone_from_rest = {{1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 4.0}}});
-  return plan;
-}
-
 /// One of the alternatives with which the half may be fixed.
 OperationStep fixing(const std::string& id, const std::vector<std::string>& implants) {
   OperationStep step;

@@ -28,12 +28,7 @@ TEST_F(SawnBar, HasABodyForEachPartWhetherItMovedOrNot) {
 }
 
 TEST_F(SawnBar, APartIsThePlannedFragmentWhoseSizeAndPointItHas) {
-  scenarios::Plan plan;
-  plan.fixation.fragments.push_back({.name = "end",
-                                     .bone = 0,
-                                     .holds_in_bone_mm = {10.0, 0.0, 0.0},
-                                     .volume_mm3 = 9.75 * 64.0,
-                                     .bone_from_rest = {{1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 4.0}}});
+  const scenarios::Plan plan = plan_of_the_end();
   lead({0.0, 0.0, 3.0});
   const RebuiltBone bone = rebuilt();
   const auto bodies = bodies_of(bone, plan, "bar");

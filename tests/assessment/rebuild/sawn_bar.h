@@ -24,6 +24,17 @@ inline simulator::Tray bar_tray() {
   return {simulator::Saw{}, further};
 }
 
+/// The half beyond the cut is to be led by 4 mm to lateral.
+inline scenarios::Plan plan_of_the_end() {
+  scenarios::Plan plan;
+  plan.fixation.fragments.push_back({.name = "end",
+                                     .bone = 0,
+                                     .holds_in_bone_mm = {10.0, 0.0, 0.0},
+                                     .volume_mm3 = 9.75 * 64.0,
+                                     .bone_from_rest = {{1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 4.0}}});
+  return plan;
+}
+
 class SawnBar : public testing::Test {
  protected:
   static constexpr double cut_x_mm = 5.0, bar_mm3 = 30.0 * 8.0 * 8.0;
