@@ -36,6 +36,8 @@ struct Drill {
   double revolutions_per_minute = 1000.0;
   /// What the bit takes in a turn, as a share of a new one's; above 0, at most 1.
   double sharpness = 1.0;
+
+  friend bool operator==(const Drill&, const Drill&) = default;
 };
 
 /// Whether all of a bit's sizes are within what is made.

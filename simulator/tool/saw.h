@@ -33,6 +33,8 @@ struct Saw {
   double cycles_per_minute = 12000.0;
   /// What the blade takes in a cycle, as a share of a new one's; above 0, at most 1.
   double sharpness = 1.0;
+
+  friend bool operator==(const Saw&, const Saw&) = default;
 };
 
 /// The rate of a saw with a new blade that cuts as fast.

@@ -52,6 +52,8 @@ struct Screwdriver {
   Screw screw = {};
   /// Of a powered driver at its slow end.
   double revolutions_per_minute = 120.0;
+
+  friend bool operator==(const Screwdriver&, const Screwdriver&) = default;
 };
 
 /// Whether all of a screw's sizes are within what is made, and fit each other: shaft within pilot,

@@ -38,6 +38,8 @@ struct WireDriver {
   double revolutions_per_minute = 1000.0;
   /// What the point takes in a turn, as a share of a new one's; above 0, at most 1.
   double sharpness = 1.0;
+
+  friend bool operator==(const WireDriver&, const WireDriver&) = default;
 };
 
 /// Whether all of a wire's sizes are within what is made.

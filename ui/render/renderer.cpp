@@ -1,9 +1,9 @@
 // A picture in three layers: shapes of what stands still, light on them, and what moves drawn over
 // it. The first two are kept from picture to picture and drawn again only where bones changed or
-// the saw's shadow went, because a processor that draws cannot afford all of it. With a card
+// a tool's shadow went, because a processor that draws cannot afford all of it. With a card
 // nothing is kept: it would cost more than it saves. Edges are smooth by drawing more pixels and
 // halving them, and by a pass over the stairs that are left: of what stands still only where it was
-// drawn again, of what moves where the saw is.
+// drawn again, of what moves where tools are.
 #include "ui/render/renderer.h"
 
 #include <epoxy/gl.h>
@@ -18,12 +18,15 @@
 #include "ui/render/painters/bone_painter.h"
 #include "ui/render/painters/edge_painter.h"
 #include "ui/render/painters/frame.h"
+#include "ui/render/painters/hand_tool_painter.h"
+#include "ui/render/painters/hole_painter.h"
+#include "ui/render/painters/implant_painter.h"
 #include "ui/render/painters/overlay_painter.h"
 #include "ui/render/painters/saw_painter.h"
-#include "ui/render/painters/saw_pixels.h"
 #include "ui/render/painters/site_painter.h"
 #include "ui/render/painters/still_scene.h"
 #include "ui/render/painters/surface_painter.h"
+#include "ui/render/painters/tool_pixels.h"
 #include "ui/render/painters/tool_shadow.h"
 
 namespace hallux::ui {
@@ -100,7 +103,11 @@ struct Renderer::Parts {
   OverlayPainter overlays;
   NoiseTextures noise;
   BonePainter bones{noise};
-  SawPainter saw{noise};
+  PartPainter parts{noise};
+  SawPainter saw{noise, parts};
+  HandToolPainter hand_tools{parts};
+  ImplantPainter implants{parts};
+  HolePainter holes;
   SurfacePainter surface;
   SitePainter site;
   EdgePainter edges;
@@ -126,10 +133,8 @@ struct Renderer::Parts {
 };
 
 KeptPicture::Still Renderer::Parts::still_of(const Frame& frame) const {
-  KeptPicture::Still still{still_scene(frame.scene, frame.view, frame.pixel_scale),
-                           bones.revisions(frame.scene), std::nullopt};
-  if (frame.scene.saw) still.shadow = tool_shadow(*frame.scene.saw, frame.key_light);
-  return still;
+  return {still_scene(frame.scene, frame.view, frame.pixel_scale), bones.revisions(frame.scene),
+          tool_shadow(frame.scene, frame.key_light)};
 }
 
 /// Where the buffers do not show what stands still now.
@@ -143,8 +148,8 @@ PixelBox Renderer::Parts::changed_pixels(const Frame& frame, const KeptPicture::
 
 namespace {
 
-/// Where light is to be laid anew, `changed` included. Without a saw another shader lays it: then
-/// everywhere.
+/// Where light is to be laid anew, `changed` included. Without a tool another shader lays it:
+/// then everywhere.
 std::vector<PixelBox> relit_pixels(const Frame& frame, const PixelBox& changed, const auto& before,
                                    const auto& now) {
   if (!before || before->shadow.has_value() != now.shadow.has_value()) {
@@ -180,7 +185,8 @@ void Renderer::Parts::draw_all(const Frame& frame, KeptPicture::Parts& kept, Edg
   kept.still = std::move(now);
   draw_moving(frame);
   end_drawing();
-  counts = {bones.triangle_count() + (frame.scene.saw ? saw.triangle_count() : 0),
+  counts = {bones.triangle_count() + saw.triangle_count(frame.scene) +
+                hand_tools.triangle_count(frame.scene) + implants.triangle_count(frame.scene),
             pixel_count(changed), pixel_count(relit), bones.uploaded_bytes()};
 }
 
@@ -213,16 +219,22 @@ void Renderer::Parts::smooth_still(const Frame& frame, const PictureBuffers& buf
 void Renderer::Parts::draw_moving(const Frame& frame) {
   glEnable(GL_SCISSOR_TEST);
   set_scissor(all_of(frame.target.size));
+  holes.draw(frame);
   surface.draw_lines(frame);
   surface.draw_halo(frame);
   site.draw_held(frame);
+  implants.draw_planned(frame);
+  implants.draw_standing(frame);
   saw.draw(frame);
+  hand_tools.draw(frame);
   overlays.draw_chips(frame);
   saw.draw_ghosts(frame);
+  hand_tools.draw_blur(frame);
   site.draw_zones(frame);
   overlays.draw_planes(frame);
   bones.draw_outlines(frame);
   saw.draw_seen_through(frame);
+  hand_tools.draw_seen_through(frame);
   overlays.draw_marks(frame);
 }
 
@@ -251,9 +263,10 @@ void Renderer::Parts::deliver(const Frame& frame, const KeptPicture::Parts& draw
   }
   if (pass == EdgePass::Whole) return edges.smooth(buffers.picture_texture(), target, whole);
   copy_by_halves(buffers.picture(), drawn.halved, target);
-  if (pass == EdgePass::None || !frame.scene.saw || target.size != buffers.size()) return;
-  edges.smooth_moving(buffers.picture_texture(), buffers.smooth_texture(), target,
-                      saw_pixels(*frame.scene.saw, frame.view, buffers.size()).boxes());
+  if (pass == EdgePass::None || target.size != buffers.size()) return;
+  const auto boxes = tool_pixels(frame.scene, frame.view, buffers.size()).boxes();
+  if (boxes.empty()) return;
+  edges.smooth_moving(buffers.picture_texture(), buffers.smooth_texture(), target, boxes);
 }
 
 void Renderer::Parts::draw(const Scene& scene, const EyeView& view, const DrawTarget& target,

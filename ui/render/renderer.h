@@ -33,14 +33,14 @@ struct DrawCounts {
   std::size_t triangles = 0;
   /// Of what stands still, those that no kept picture had.
   std::size_t redrawn_pixels = 0;
-  /// Those, and where the saw's shadow was or is.
+  /// Those, and where a tool's shadow was or is.
   std::size_t relit_pixels = 0;
   /// Of bones.
   std::uint64_t uploaded_bytes = 0;
 };
 
 /// What stands still of a picture that is drawn again and again, bones and ground: while nobody
-/// turns the view, only what was cut since is drawn anew below what moves, and only where the saw's
+/// turns the view, only what was cut since is drawn anew below what moves, and only where a tool's
 /// shadow was or is light is laid anew. One for each eye; empty until a renderer draws with it.
 /// thread  the context's
 class KeptPicture {

@@ -1,7 +1,7 @@
 // The id picture is what the renderer draws first anyway: the shapes of bones with their depth, and
-// in the stencil which bone is where; blade and handpiece are added with ids of their own. A sample
-// is held against the depth at its pixel, with some room: a kerf's rim lies on the bone that could
-// hide it, and a tooth in the blade.
+// in the stencil which bone is where; blade and handpiece are added with ids of their own, tips and
+// handles of other tools with the same. A sample is held against the depth at its pixel, with some
+// room: a kerf's rim lies on the bone that could hide it, and a tooth in the blade.
 #include "ui/render/visibility.h"
 
 #include <epoxy/gl.h>
@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "ui/render/painters/bone_painter.h"
+#include "ui/render/painters/hand_tool_painter.h"
 #include "ui/render/painters/saw_painter.h"
 
 namespace hallux::ui {
@@ -58,14 +59,16 @@ struct SightMeter::Parts {
   PictureBuffers buffers;
   NoiseTextures noise;
   BonePainter bones{noise};
-  SawPainter saw{noise};
+  PartPainter parts{noise};
+  SawPainter saw{noise, parts};
+  HandToolPainter hand_tools{parts};
   std::uint64_t picture = 0;
   Hiders hiders;
 
   explicit Parts(PixelSize size) : buffers(size) {}
 
   IdPicture draw(const Frame& frame);
-  void draw_saw(const Frame& frame);
+  void draw_tools(const Frame& frame);
   void count(unsigned hider);
   double seen_share(const IdPicture& ids, const EyeView& view,
                     const std::vector<SightPlace>& places);
@@ -78,7 +81,7 @@ IdPicture SightMeter::Parts::draw(const Frame& frame) {
   glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
   bones.draw_shapes(frame, all_of(frame.target.size));
   glBindFramebuffer(GL_FRAMEBUFFER, buffers.still().framebuffer);
-  if (frame.scene.saw) draw_saw(frame);
+  draw_tools(frame);
   IdPicture ids{frame.target.size, {}};
   ids.depth_and_id.resize(pixel_count(all_of(ids.size)));
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -89,13 +92,15 @@ IdPicture SightMeter::Parts::draw(const Frame& frame) {
   return ids;
 }
 
-void SightMeter::Parts::draw_saw(const Frame& frame) {
+void SightMeter::Parts::draw_tools(const Frame& frame) {
   glEnable(GL_STENCIL_TEST);
   glStencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
   glStencilFunc(GL_ALWAYS, handpiece_id, 0xff);
-  saw.draw_handpiece(frame, HandpiecePart::MostlyThere);
+  if (frame.scene.saw) saw.draw_handpiece(frame, HandlePart::MostlyThere);
+  hand_tools.draw_handles(frame, HandlePart::MostlyThere);
   glStencilFunc(GL_ALWAYS, blade_id, 0xff);
-  saw.draw_blade(frame);
+  if (frame.scene.saw) saw.draw_blade(frame);
+  hand_tools.draw_tips(frame, HandlePart::MostlyThere);
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
   glDisable(GL_STENCIL_TEST);
 }

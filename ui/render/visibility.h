@@ -1,6 +1,6 @@
 /// How much is seen of what a surgeon watches: the teeth, and the mouth of the open kerf. Measured
 /// on a picture of ids that nobody sees: bones, blade and handpiece as far as they hide what lies
-/// behind them.
+/// behind them; the tips of other tools count as blades, their handles as handpieces.
 ///
 /// A place is seen where nothing in the picture lies clearly before it. A handpiece that is seen
 /// through hides nothing where less than half of it is left.

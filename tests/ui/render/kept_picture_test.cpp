@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <functional>
 #include <string>
 
+#include "tests/ui/render/drilled_bone.h"
 #include "tests/ui/render/graphics.h"
 #include "tests/ui/render/operating_world.h"
 #include "ui/render/renderer.h"
@@ -124,6 +126,96 @@ TEST_F(KeptPictures, AreTheSameWithSmoothEdges) {
   expect_same_smooth("the view turned");
   scene_.saw.reset();
   expect_same_smooth("no saw");
+}
+
+/// One thing after the other in the hand and in the bone.
+void take_tools(Scene& scene, const OperatingWorld& world,
+                const std::function<void(const char*)>& expect) {
+  const DrillLine line = drill_line(world, Vec3(15.0, 0.0, 0.0), Vec3(0.55, -0.75, 0.25));
+  scene.saw.reset();
+  scene.driver = DriverInScene{line.world_from_tool(-3.0), simulator::Drill{}};
+  expect("a drill for a saw");
+  scene.driver->is_running = true;
+  for (const double depth_mm : {-1.0, 2.0, 6.0}) {
+    scene.driver->world_from_tool = line.world_from_tool(depth_mm);
+    scene.driver->turned_rad += 1.1;
+    expect("drilled");
+  }
+  scene.holes = {hole_at(world, line, 1.35)};
+  expect("a hole");
+  scene.driver = DriverInScene{line.world_from_tool(-1.0), simulator::WireDriver{}};
+  scene.driver->handpiece_presence = 0.4;
+  expect("a wire driver that is seen through");
+  scene.driver->tool = simulator::Screwdriver{};
+  scene.driver->handpiece_presence = 1.0;
+  expect("a screwdriver");
+  scene.forceps = ForcepsInScene{line.world_from_tool(1.0), 14.0};
+  expect("forceps besides");
+  scene.forceps->opening_mm = 9.0;
+  scene.forceps->handle_presence = 0.5;
+  expect("the forceps close");
+  scene.driver.reset();
+  scene.implants = {{line.world_from_tool(6.0), simulator::Screwdriver{}},
+                    {line.world_from_tool(3.0), simulator::WireDriver{}, true}};
+  expect("a screw and a wire that is planned");
+  scene.implants.front().is_planned = true;
+  scene.ground = Ground::Light;
+  expect("both planned, on another ground");
+  scene.bones.front().world_from_bone.translation_mm += Vec3(0.0, 0.5, 0.0);
+  expect("the bone moved");
+  scene.implants.clear();
+  scene.holes.clear();
+  scene.forceps.reset();
+  expect("nothing of it");
+}
+
+TEST_F(KeptPictures, AreTheSameWithToolsAndWhatTheyLeave) {
+  kept();
+  take_tools(scene_, world_, [&](const char* what) { expect_same(what); });
+}
+
+TEST_F(KeptPictures, AreTheSameWithToolsAndSmoothEdges) {
+  renderer_.set_quality({.supersampling = 1, .keeps_still = true, .smooths_edges = true});
+  kept();
+  take_tools(scene_, world_, [&](const char* what) {
+    KeptPicture fresh;
+    const RenderTarget target(size_);
+    renderer_.draw(scene_, view(), target.target(), fresh);
+    const Pixels anew = target.read();
+    EXPECT_EQ(difference_of(kept(), anew), "") << what;
+  });
+}
+
+TEST_F(KeptPictures, AreTheSameHoweverADriverIsHeld) {
+  const RigidTransform held = scene_.saw->world_from_tool;
+  scene_.saw.reset();
+  scene_.driver = DriverInScene{held, simulator::Drill{.bit = {.length_mm = 30.0}}};
+  for (int i = 0; i < 40; ++i) {
+    const Vec3 axis = glm::normalize(Vec3(std::sin(1.0 * i), std::cos(2.0 * i), std::sin(3.0 * i)));
+    scene_.driver->world_from_tool =
+        held * RigidTransform{rotation_about(axis, 0.16 * i),
+                              Vec3(2.0 * std::sin(0.7 * i), 0.0, 5.0 * std::cos(1.3 * i))};
+    expect_same(("held in way " + std::to_string(i)).c_str());
+  }
+}
+
+TEST_F(KeptPictures, AreNotDrawnAnewForWhatStandsInBoneOrIsHeld) {
+  scene_.saw.reset();
+  const DrillLine line = drill_line(world_, Vec3(15.0, 0.0, 0.0), Vec3(0.55, -0.75, 0.25));
+  scene_.driver = DriverInScene{line.world_from_tool(-3.0), simulator::WireDriver{}};
+  kept();
+  scene_.implants = {{line.world_from_tool(6.0), simulator::Screwdriver{}, true}};
+  scene_.holes = {hole_at(world_, line, 1.0)};
+  scene_.forceps = ForcepsInScene{line.world_from_tool(0.0)};
+  scene_.driver->turned_rad = 1.0;
+  kept();
+  EXPECT_EQ(redrawn_, 0U);
+  EXPECT_EQ(relit_, 0U);
+  scene_.driver->world_from_tool.translation_mm += Vec3(0.5, 0.0, 0.0);
+  kept();
+  EXPECT_EQ(redrawn_, 0U);
+  EXPECT_GT(relit_, 0U);
+  EXPECT_LT(relit_, 640U * 360U / 2U);
 }
 
 TEST_F(KeptPictures, DrawOnlyWhatWasCutWhileTheViewStandsStill) {

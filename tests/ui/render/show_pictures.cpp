@@ -7,9 +7,11 @@
 #include <string>
 
 #include "simulator/base/units.h"
+#include "tests/ui/render/drilled_bone.h"
 #include "tests/ui/render/operating_world.h"
 #include "ui/render/gl/headless_context.h"
 #include "ui/render/picture.h"
+#include "ui/render/scene/driver_model.h"
 #include "ui/render/scene/swarf.h"
 #include "ui/render/stereo.h"
 
@@ -92,6 +94,89 @@ void add_planes(Album& album, const OperatingWorld& world) {
   }
 }
 
+/// Where things are drilled and driven in, seen from medial.
+struct DrillPlace {
+  Scene scene;
+  DrillLine line, beside;
+  Camera camera;
+
+  explicit DrillPlace(const OperatingWorld& world)
+      : scene(world.scene()),
+        line(drill_line(world, Vec3(15.0, 0.0, 0.0), Vec3(0.55, -0.75, 0.25))),
+        beside(drill_line(world, Vec3(24.0, 0.0, 0.0), Vec3(0.2, -0.8, 0.4))),
+        camera(orbited(standard_view(world.camera(), StandardView::Medial), 0.5, 0.35)) {
+    scene.saw.reset();
+    scene.planes.clear();
+    scene.lines.clear();
+  }
+  Camera seen(const Vec3& target_mm, double magnification) const {
+    Camera seen = camera;
+    seen.target_mm = target_mm;
+    seen.magnification = magnification;
+    return seen;
+  }
+};
+
+void add_driver(Album& album, const DrillPlace& place, const std::string& name,
+                const simulator::Tool& tool) {
+  Scene scene = place.scene;
+  const auto add = [&](const std::string& what, const Camera& camera) {
+    album.add("tool_" + name + what, scene, camera);
+    album.add("tool_" + name + what + "_light", on_light(scene), camera);
+  };
+  const RigidTransform before = place.line.world_from_tool(-4.0);
+  const auto on_axis = [&](double x_mm) { return transform_point(before, Vec3(x_mm, 0.0, 0.0)); };
+  scene.driver = DriverInScene{before, tool};
+  add("", place.seen(place.camera.target_mm, 3.2));
+  add("_near", place.seen(on_axis(0.0), 18.0));
+  add("_whole", place.seen(on_axis(-90.0), 1.25));
+  add("_chuck", place.seen(on_axis(chuck_x_mm(tool) - 14.0), 5.0));
+  Camera along = place.seen(on_axis(0.0), place.camera.magnification);
+  along.world_from_view =
+      rotation_from_axes(axis_z(before), glm::cross(-axis_x(before), axis_z(before)));
+  add("_along", along);
+  scene.driver->handpiece_presence = 0.3;
+  add("_through", place.seen(on_axis(-60.0), 1.9));
+  scene.driver = DriverInScene{place.line.world_from_tool(7.0), tool, true, 0.8};
+  add("_in", place.camera);
+}
+
+/// What else is held, and what is left, on both grounds.
+void add_metal(Album& album, const OperatingWorld& world, const DrillPlace& place) {
+  Scene scene = place.scene;
+  const auto add = [&](const std::string& name, const Camera& camera) {
+    album.add("tool_" + name, scene, camera);
+    album.add("tool_" + name + "_light", on_light(scene), camera);
+  };
+  const Camera near = place.seen(place.line.world_from_line.translation_mm, 18.0);
+  scene.forceps = ForcepsInScene{place.line.world_from_tool(2.0), 13.0};
+  add("forceps", place.camera);
+  add("forceps_whole", place.seen(place.line.world_from_tool(-70.0).translation_mm, 1.9));
+  scene.forceps.reset();
+  scene.holes = {hole_at(world, place.line, 1.35), hole_at(world, place.beside, 1.0)};
+  add("holes", near);
+  simulator::Screw screw;
+  screw.length_mm = 12.0;
+  simulator::WireDriver wire;
+  wire.wire.length_mm = 30.0;
+  scene.implants = {{place.line.world_from_tool(11.6), simulator::Screwdriver{screw}},
+                    {place.beside.world_from_tool(12.0), wire}};
+  add("implants", place.camera);
+  add("implants_near", near);
+  for (ImplantInScene& implant : scene.implants) implant.is_planned = true;
+  scene.holes.clear();
+  add("planned", place.camera);
+  add("planned_near", near);
+}
+
+void add_tools(Album& album, const OperatingWorld& world) {
+  const DrillPlace place(world);
+  add_driver(album, place, "wire", simulator::WireDriver{});
+  add_driver(album, place, "drill", simulator::Drill{});
+  add_driver(album, place, "screw", simulator::Screwdriver{});
+  add_metal(album, world, place);
+}
+
 void add_wedge(Album& album, OperatingWorld& world) {
   world.take_wedge_out();
   Scene scene = world.scene();
@@ -157,6 +242,7 @@ void show(const std::filesystem::path& folder, double edge_mm) {
   }
   add_site(album, world);
   add_planes(album, world);
+  add_tools(album, world);
   add_wedge(album, world);
 }
 

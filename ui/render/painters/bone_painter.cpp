@@ -74,16 +74,17 @@ Frustum frustum_of(const Frame& frame, const BoneInScene& bone, const DoubleMatr
   return frustum;
 }
 
-/// The saw's shadow on bones.
+/// The shadow of the tool in the hand on bones.
 void set_shadow(ShaderProgram& program, const Frame& frame) {
-  if (!frame.scene.saw) {
+  const std::optional<ToolShadow> shadow = tool_shadow(frame.scene, frame.key_light);
+  if (!shadow) {
     program.set("blade_shadow", Float4(0.0F));
     return;
   }
-  const ToolShadow shadow = tool_shadow(*frame.scene.saw, frame.key_light);
-  program.set("key_in_tool", to_float(shadow.key_in_tool));
-  program.set("blade_shadow", Float4(shadow.blade_depth_mm, shadow.blade_half_width_mm, 1.0,
-                                     shadow.handpiece_from_mm));
+  program.set("key_in_tool", to_float(shadow->key_in_tool));
+  program.set("blade_shadow", Float4(shadow->blade_depth_mm, shadow->blade_half_width_mm, 1.0,
+                                     shadow->handpiece_from_mm));
+  program.set("shaft_shadow", static_cast<float>(shadow->shaft_radius_mm));
 }
 
 }  // namespace
@@ -197,7 +198,7 @@ void BonePainter::draw_shapes(const Frame& frame, const PixelBox& part) {
 
 ShaderProgram& BonePainter::skin_program(const Frame& frame, const BoneInScene& bone) {
   std::string settings;
-  if (frame.scene.saw) settings += "#define SHADOW\n";
+  if (world_from_shading_tool(frame.scene) != nullptr) settings += "#define SHADOW\n";
   if (bone.presence < 1.0) settings += "#define FADED\n";
   auto at = skins_.find(settings);
   if (at == skins_.end()) {

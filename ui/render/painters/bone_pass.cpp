@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include "ui/render/painters/tool_shadow.h"
+
 namespace hallux::ui {
 
 namespace {
@@ -47,9 +49,10 @@ BlendOver::~BlendOver() {
 void place_bone(ShaderProgram& program, const Frame& frame, const BoneInScene& bone) {
   program.set("world_from_bone", to_float(matrix_of(bone.world_from_bone)));
   program.set("presence", static_cast<float>(bone.presence));
-  if (!frame.scene.saw) return;
-  const RigidTransform tool_from_world = inverse(frame.scene.saw->world_from_tool);
-  program.set("tool_from_bone", to_float(matrix_of(tool_from_world * bone.world_from_bone)));
+  const RigidTransform* const world_from_tool = world_from_shading_tool(frame.scene);
+  if (world_from_tool == nullptr) return;
+  const RigidTransform tool_from_bone = inverse(*world_from_tool) * bone.world_from_bone;
+  program.set("tool_from_bone", to_float(matrix_of(tool_from_bone)));
 }
 
 }  // namespace hallux::ui

@@ -2,8 +2,9 @@
 /// pictures of it differ. No graphics.
 ///
 ///     still     bones with light on them, ground    drawn again only where they are cut, lit
-///                                                   again where the saw's shadow moves
-///     moving    saw, lines, chips, ghosts           drawn over it in every picture
+///                                                   again where a tool's shadow moves
+///     moving    tools and what they leave, lines,   drawn over it in every picture
+///               chips, ghosts
 #pragma once
 
 #include <cstdint>

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
+
+#include "ui/render/scene/driver_model.h"
 
 namespace hallux::ui {
 
@@ -9,7 +12,23 @@ namespace {
 
 /// As in the shader: the light never quite grazes the blade's plane or runs along the handpiece.
 constexpr double steepest_least = 0.02, across_least = 0.01;
-constexpr double handpiece_radius_mm = 7.5;
+/// A capsule without end: its radius, how soft its shadow is at the least, and how far from it the
+/// shadow begins.
+struct ShadowCapsule {
+  double from_x_mm = 0.0, radius_mm = 0.0, soft_mm = 0.0, begins_mm = 0.0;
+};
+/// Beyond the first the softness grows by that with the way.
+constexpr double softer = 0.10;
+
+ShadowCapsule handpiece_of(const ToolShadow& shadow) noexcept {
+  return {shadow.handpiece_from_mm, 7.5, 1.0, 0.5};
+}
+ShadowCapsule shaft_of(const ToolShadow& shadow) noexcept {
+  return {0.0, shadow.shaft_radius_mm, 0.12, 0.15};
+}
+/// The shaft between a screw and its driver.
+constexpr double screw_shaft_radius_mm = 1.6;
+
 /// The formula is the shader's, the numbers are not of its single precision.
 constexpr double rounding_mm = 0.05;
 
@@ -29,32 +48,61 @@ bool may_blade_shade(const ToolShadow& shadow, const Vec3& middle_mm, double rad
   return outside_mm - soft_mm < radius_mm * (1.0 + slope + 0.10 * slope);
 }
 
-bool may_handpiece_shade(const ToolShadow& shadow, const Vec3& middle_mm,
-                         double radius_mm) noexcept {
+bool may_capsule_shade(const ToolShadow& shadow, const ShadowCapsule& capsule,
+                       const Vec3& middle_mm, double radius_mm) noexcept {
   const Vec2 across_mm(middle_mm.y, middle_mm.z);
   const Vec2 way(shadow.key_in_tool.y, shadow.key_in_tool.z);
   const double across_square = std::max(glm::dot(way, way), across_least);
   const double slope = glm::length(way) / across_square;
   const double along_mm = std::max(-glm::dot(across_mm, way) / across_square, 0.0);
-  if (along_mm < 0.5 - radius_mm * slope) return false;
+  if (along_mm < capsule.begins_mm - radius_mm * slope) return false;
   const Vec3 passed_mm = middle_mm + along_mm * shadow.key_in_tool;
-  const double beyond_mm = std::max(passed_mm.x - shadow.handpiece_from_mm, 0.0);
+  const double beyond_mm = std::max(passed_mm.x - capsule.from_x_mm, 0.0);
   const double clearance_mm =
-      glm::length(Vec3(passed_mm.y, passed_mm.z, beyond_mm)) - handpiece_radius_mm;
-  return clearance_mm - 1.0 - 0.10 * along_mm < radius_mm * (1.0 + slope + 0.10 * slope);
+      glm::length(Vec3(passed_mm.y, passed_mm.z, beyond_mm)) - capsule.radius_mm;
+  return clearance_mm - capsule.soft_mm - softer * along_mm <
+         radius_mm * (1.0 + slope + softer * slope);
+}
+
+Vec3 key_in_tool(const RigidTransform& world_from_tool, const Float3& key_light) noexcept {
+  return transform_direction(inverse(world_from_tool), Vec3(key_light));
 }
 
 }  // namespace
 
 ToolShadow tool_shadow(const SawInScene& saw, const Float3& key_light) noexcept {
-  return {saw.world_from_tool, transform_direction(inverse(saw.world_from_tool), Vec3(key_light)),
-          saw.blade.depth_mm, 0.5 * saw.blade.width_mm, -saw.blade.depth_mm - 2.0};
+  return {.world_from_tool = saw.world_from_tool,
+          .key_in_tool = key_in_tool(saw.world_from_tool, key_light),
+          .blade_depth_mm = saw.blade.depth_mm,
+          .blade_half_width_mm = 0.5 * saw.blade.width_mm,
+          .handpiece_from_mm = -saw.blade.depth_mm - 2.0};
+}
+
+ToolShadow tool_shadow(const DriverInScene& driver, const Float3& key_light) noexcept {
+  const bool has_screw = std::holds_alternative<simulator::Screwdriver>(driver.tool);
+  return {.world_from_tool = driver.world_from_tool,
+          .key_in_tool = key_in_tool(driver.world_from_tool, key_light),
+          .shaft_radius_mm = has_screw ? screw_shaft_radius_mm : held_radius_mm(driver.tool),
+          .handpiece_from_mm = chuck_x_mm(driver.tool) - 4.0};
+}
+
+std::optional<ToolShadow> tool_shadow(const Scene& scene, const Float3& key_light) noexcept {
+  if (scene.saw) return tool_shadow(*scene.saw, key_light);
+  if (scene.driver) return tool_shadow(*scene.driver, key_light);
+  return std::nullopt;
+}
+
+const RigidTransform* world_from_shading_tool(const Scene& scene) noexcept {
+  if (scene.saw) return &scene.saw->world_from_tool;
+  return scene.driver ? &scene.driver->world_from_tool : nullptr;
 }
 
 bool may_shade(const ToolShadow& shadow, const Vec3& middle_in_tool_mm, double radius_mm) noexcept {
   const double reach_mm = radius_mm + rounding_mm;
-  return may_blade_shade(shadow, middle_in_tool_mm, reach_mm) ||
-         may_handpiece_shade(shadow, middle_in_tool_mm, reach_mm);
+  const bool has_blade = shadow.shaft_radius_mm <= 0.0;
+  return (has_blade ? may_blade_shade(shadow, middle_in_tool_mm, reach_mm)
+                    : may_capsule_shade(shadow, shaft_of(shadow), middle_in_tool_mm, reach_mm)) ||
+         may_capsule_shade(shadow, handpiece_of(shadow), middle_in_tool_mm, reach_mm);
 }
 
 PixelTiles shaded_pixels(const Scene& scene, std::span<const ToolShadow> shadows,

@@ -13,6 +13,7 @@
 #include "simulator/cutting/field/kerf.h"
 #include "ui/render/scene/bone_mesh.h"
 #include "ui/render/scene/site.h"
+#include "ui/render/scene/tools.h"
 
 namespace hallux::ui {
 
@@ -150,6 +151,10 @@ struct Scene {
   Vec2 light_place{0.5, 0.5};
   std::vector<BoneInScene> bones;
   std::optional<SawInScene> saw;
+  std::optional<DriverInScene> driver;
+  std::optional<ForcepsInScene> forceps;
+  std::vector<ImplantInScene> implants;
+  std::vector<HoleInScene> holes;
   std::vector<BladeGhost> blade_ghosts;
   std::vector<PlaneGhost> planes;
   /// At most lines_at_most, with those of the planes.

@@ -1,96 +1,17 @@
 // The saw from numbers: the plate is a polygon of the blade's width, thickness and depth with its
-// teeth, everything else an outline turned about an axis. Normals are shared along an outline but
-// at its edges, so that few triangles look round. Only the blade has its own measures; hub, neck
-// and grip are of one size and stand where the blade's pivot is.
+// teeth, everything else an outline turned about an axis. Only the blade has its own measures; hub,
+// neck and grip are of one size and stand where the blade's pivot is.
 #include "ui/render/scene/tool_model.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
-
-#include "simulator/base/units.h"
 
 namespace hallux::ui {
 
 namespace {
 
 using simulator::Blade;
-
-/// A point of a turned part's outline: along the axis, away from it, and what the part up to the
-/// next point is made of.
-struct ProfilePoint {
-  double along_mm = 0.0, radius_mm = 0.0;
-  ToolMaterial material = ToolMaterial::Grip;
-};
-
-class ToolBuilder {
- public:
-  void add_triangle(const std::array<Vec3, 3>& corners_mm, ToolMaterial material) {
-    const Vec3 normal =
-        glm::normalize(glm::cross(corners_mm[1] - corners_mm[0], corners_mm[2] - corners_mm[0]));
-    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-    for (const Vec3& corner_mm : corners_mm) add_vertex(corner_mm, normal, material);
-    mesh_.triangles.push_back({first, first + 1, first + 2});
-  }
-  void add_quad(const std::array<Vec3, 4>& corners_mm, ToolMaterial material) {
-    add_triangle({corners_mm[0], corners_mm[1], corners_mm[2]}, material);
-    add_triangle({corners_mm[0], corners_mm[2], corners_mm[3]}, material);
-  }
-  /// A part turned about an axis; `tool_from_turned` puts its z axis there. Outlines run so that
-  /// outside is on their left when z points right.
-  void add_turned(std::span<const ProfilePoint> profile, const RigidTransform& tool_from_turned);
-
-  ToolMesh take() { return std::move(mesh_); }
-
- private:
-  void add_vertex(const Vec3& point_mm, const Vec3& normal, ToolMaterial material) {
-    mesh_.vertices.push_back({to_float(point_mm), to_float(normal), static_cast<float>(material)});
-  }
-
-  ToolMesh mesh_;
-};
-
-Vec2 outward(const ProfilePoint& from, const ProfilePoint& to) {
-  return glm::normalize(Vec2(from.radius_mm - to.radius_mm, to.along_mm - from.along_mm));
-}
-
-/// The outline's normal at an end of piece `i`: shared with the neighbour unless there is an edge
-/// between them.
-Vec2 outline_normal(std::span<const ProfilePoint> profile, std::size_t i, bool at_end) {
-  constexpr double smooth_below = 0.78;  // cosine: about 39 degrees
-  const Vec2 own = outward(profile[i], profile[i + 1]);
-  const std::size_t other = at_end ? i + 1 : i - 1;
-  if ((!at_end && i == 0) || other + 1 >= profile.size()) return own;
-  const Vec2 next = outward(profile[other], profile[other + 1]);
-  return glm::dot(own, next) < smooth_below ? own : glm::normalize(own + next);
-}
-
-void ToolBuilder::add_turned(std::span<const ProfilePoint> profile,
-                             const RigidTransform& tool_from_turned) {
-  constexpr std::uint32_t segments = 40;
-  for (std::size_t i = 0; i + 1 < profile.size(); ++i) {
-    const auto first = static_cast<std::uint32_t>(mesh_.vertices.size());
-    const std::array<Vec2, 2> normals{outline_normal(profile, i, false),
-                                      outline_normal(profile, i, true)};
-    for (std::uint32_t s = 0; s <= segments; ++s) {
-      const double angle = 2.0 * pi * s / segments;
-      const Vec3 away(std::cos(angle), std::sin(angle), 0.0);
-      for (std::size_t end = 0; end < 2; ++end) {
-        const ProfilePoint& point = profile[i + end];
-        const Vec3 place_mm = point.radius_mm * away + Vec3(0.0, 0.0, point.along_mm);
-        const Vec3 normal = normals[end].y * away + Vec3(0.0, 0.0, normals[end].x);
-        add_vertex(transform_point(tool_from_turned, place_mm),
-                   transform_direction(tool_from_turned, normal), profile[i].material);
-      }
-    }
-    for (std::uint32_t s = 0; s < segments; ++s) {
-      const std::uint32_t a = first + 2 * s;
-      mesh_.triangles.push_back({a, a + 2, a + 3});
-      mesh_.triangles.push_back({a, a + 3, a + 1});
-    }
-  }
-}
 
 /// Half the plate's width at its stations from the gullets back to the hub.
 std::array<Vec2, 4> plate_stations(const Blade& blade, double gullet_mm) {

@@ -2,37 +2,10 @@
 /// handle to teeth, z the blade's normal.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "simulator/mesh/indexed_mesh.h"
 #include "simulator/tool/saw.h"
-#include "ui/render/scene/float_vector.h"
+#include "ui/render/scene/tool_mesh.h"
 
 namespace hallux::ui {
-
-enum class ToolMaterial : std::uint8_t {
-  /// Brushed steel.
-  Blade,
-  /// Polished.
-  Steel,
-  /// Dark, matt.
-  Grip,
-  /// A grey ring in the grip.
-  Band
-};
-
-struct ToolVertex {
-  Float3 point_in_tool_mm{0.0F};
-  Float3 normal{0.0F, 0.0F, 1.0F};
-  /// A ToolMaterial.
-  float material = 0.0F;
-};
-
-struct ToolMesh {
-  std::vector<ToolVertex> vertices;
-  std::vector<simulator::Triangle> triangles;
-};
 
 /// A toothed plate, narrower towards the hub, with marks etched every 5 mm (drawn by the shader).
 /// needs   sizes above zero, depth_mm at least width_mm / 2

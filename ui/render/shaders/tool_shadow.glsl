@@ -1,6 +1,8 @@
-// The saw's shadow by formula: the blade is a rectangle, the handpiece a capsule. Softer the further away it falls from.
+// The shadow of the tool in the hand by formula: the blade is a rectangle, a shaft in its place a thin capsule, the handpiece a
+// thick one. Softer the further away it falls from.
 uniform vec3 key_in_tool;   // direction towards the key light, tool frame
-uniform vec4 blade_shadow;  // depth, half width [mm], 1 or (no saw) 0, where the handpiece begins
+uniform vec4 blade_shadow;  // depth, half width [mm], 1 or (no tool) 0, where the handpiece begins
+uniform float shaft_shadow;  // radius of what is in the blade's place [mm]; 0: there is a blade
 
 float key_share_at(vec3 in_tool_mm) {
   if (blade_shadow.z <= 0.0) return 1.0;
@@ -18,5 +20,11 @@ float key_share_at(vec3 in_tool_mm) {
   float beyond = max(passed.x - blade_shadow.w, 0.0);
   float clearance = length(vec3(passed.yz, beyond)) - 7.5;
   float handpiece = 1.0 - smoothstep(-1.0 - 0.05 * along_ray, 1.0 + 0.10 * along_ray, clearance);
-  return 1.0 - max(blade, handpiece * step(0.5, along_ray));
+  float tip = blade;
+  if (shaft_shadow > 0.0) {
+    float off = length(vec3(passed.yz, max(passed.x, 0.0))) - shaft_shadow;
+    float shaft_soft = 0.12 + 0.10 * along_ray;
+    tip = (1.0 - smoothstep(-shaft_soft, shaft_soft, off)) * step(0.15, along_ray);
+  }
+  return 1.0 - max(tip, handpiece * step(0.5, along_ray));
 }

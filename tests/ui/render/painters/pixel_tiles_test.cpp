@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "simulator/base/random.h"
 #include "ui/render/painters/tool_shadow.h"
 
@@ -64,51 +66,96 @@ TEST(PixelTiles, InMorePiecesThanAreTakenBecomeOneBox) {
   EXPECT_GT(pixel_count(tiles.boxes()), pixel_count(all_of(large)) / 2);
 }
 
-/// As in shaders/tool_shadow.glsl, in double precision: whether any light is kept away.
-bool is_shaded(const ToolShadow& shadow, const Vec3& in_tool_mm) {
+bool is_blade_shading(const ToolShadow& shadow, const Vec3& in_tool_mm) {
   const Vec3& key = shadow.key_in_tool;
   const double to_plane = -in_tool_mm.z / (std::abs(key.z) < 0.02 ? 0.02 : key.z);
   const Vec2 hit = Vec2(in_tool_mm) + to_plane * Vec2(key);
   const Vec2 outside =
       glm::max(Vec2(-shadow.blade_depth_mm - hit.x, -shadow.blade_half_width_mm - hit.y),
                Vec2(hit.x, hit.y - shadow.blade_half_width_mm));
-  if (to_plane >= 0.15 && std::max(outside.x, outside.y) < 0.25 + 0.10 * std::abs(to_plane)) {
-    return true;
-  }
+  return to_plane >= 0.15 && std::max(outside.x, outside.y) < 0.25 + 0.10 * std::abs(to_plane);
+}
+
+/// As in shaders/tool_shadow.glsl, in double precision: whether any light is kept away.
+bool is_shaded(const ToolShadow& shadow, const Vec3& in_tool_mm) {
+  const Vec3& key = shadow.key_in_tool;
   const Vec2 across(in_tool_mm.y, in_tool_mm.z), way(key.y, key.z);
   const double along = std::max(-glm::dot(across, way) / std::max(glm::dot(way, way), 0.01), 0.0);
   const Vec3 passed = in_tool_mm + along * key;
-  const double beyond = std::max(passed.x - shadow.handpiece_from_mm, 0.0);
-  return along >= 0.5 && glm::length(Vec3(passed.y, passed.z, beyond)) - 7.5 < 1.0 + 0.10 * along;
+  const auto distance_behind = [&](double from_x_mm) {
+    return glm::length(Vec3(passed.y, passed.z, std::max(passed.x - from_x_mm, 0.0)));
+  };
+  const bool is_tip_shading =
+      shadow.shaft_radius_mm > 0.0
+          ? along >= 0.15 && distance_behind(0.0) - shadow.shaft_radius_mm < 0.12 + 0.10 * along
+          : is_blade_shading(shadow, in_tool_mm);
+  return is_tip_shading ||
+         (along >= 0.5 && distance_behind(shadow.handpiece_from_mm) - 7.5 < 1.0 + 0.10 * along);
 }
 
-TEST(ToolShadow, IsSaidOfEveryBallThatItTouchesAndNotOfAll) {
-  Random random(23);
-  const auto within = [&](double half) {
-    return Vec3(random.uniform(-half, half), random.uniform(-half, half),
-                random.uniform(-half, half));
-  };
+Vec3 within(Random& random, double half) {
+  return Vec3(random.uniform(-half, half), random.uniform(-half, half),
+              random.uniform(-half, half));
+}
+
+struct Balls {
   int touched = 0, said = 0;
+};
+
+/// Of 4000, each in another shadow of those: by how many it is touched, and of how many it is said.
+Balls count_balls(const std::function<ToolShadow(const RigidTransform&, const Float3&)>& cast) {
+  Random random(23);
+  Balls balls;
   for (int i = 0; i < 4000; ++i) {
-    SawInScene saw;
-    saw.world_from_tool = {rotation_about(glm::normalize(within(1.0)), random.uniform(-3.0, 3.0)),
-                           within(20.0)};
-    saw.blade = {.width_mm = 9.0, .depth_mm = 25.0};
-    const ToolShadow shadow = tool_shadow(saw, to_float(glm::normalize(within(1.0))));
-    const Vec3 middle = within(30.0);
+    const RigidTransform world_from_tool{
+        rotation_about(glm::normalize(within(random, 1.0)), random.uniform(-3.0, 3.0)),
+        within(random, 20.0)};
+    const ToolShadow shadow = cast(world_from_tool, to_float(glm::normalize(within(random, 1.0))));
+    const Vec3 middle = within(random, 30.0);
     const double radius_mm = random.uniform(0.1, 4.0);
     bool is_touched = false;
     for (int k = 0; k < 30 && !is_touched; ++k) {
-      const Vec3 step = glm::normalize(within(1.0)) * random.uniform(0.0, radius_mm);
+      const Vec3 step = glm::normalize(within(random, 1.0)) * random.uniform(0.0, radius_mm);
       is_touched = is_shaded(shadow, middle + step);
     }
     const bool is_said = may_shade(shadow, middle, radius_mm);
     EXPECT_TRUE(is_said || !is_touched) << i;
-    touched += is_touched ? 1 : 0;
-    said += is_said ? 1 : 0;
+    balls.touched += is_touched ? 1 : 0;
+    balls.said += is_said ? 1 : 0;
   }
-  EXPECT_GT(touched, 200);
-  EXPECT_LT(said, 3000) << "a test that says yes to everything lights everything anew";
+  return balls;
+}
+
+TEST(ToolShadow, IsSaidOfEveryBallThatItTouchesAndNotOfAll) {
+  const Balls balls = count_balls([](const RigidTransform& world_from_tool, const Float3& light) {
+    SawInScene saw;
+    saw.world_from_tool = world_from_tool;
+    saw.blade = {.width_mm = 9.0, .depth_mm = 25.0};
+    return tool_shadow(saw, light);
+  });
+  EXPECT_GT(balls.touched, 200);
+  EXPECT_LT(balls.said, 3000) << "a test that says yes to everything lights everything anew";
+}
+
+TEST(ToolShadow, OfADriverIsSaidOfEveryBallThatItTouchesAndNotOfAll) {
+  const Balls balls = count_balls([](const RigidTransform& world_from_tool, const Float3& light) {
+    return tool_shadow(DriverInScene{world_from_tool, simulator::Drill{.bit = {.length_mm = 30.0}}},
+                       light);
+  });
+  EXPECT_GT(balls.touched, 100);
+  EXPECT_LT(balls.said, 3000);
+}
+
+TEST(ToolShadow, IsTheSawsWhereThereIsADriverToo) {
+  Scene scene;
+  EXPECT_FALSE(tool_shadow(scene, Float3(0.0F, 1.0F, 0.0F)));
+  EXPECT_EQ(world_from_shading_tool(scene), nullptr);
+  scene.driver = DriverInScene{};
+  EXPECT_GT(tool_shadow(scene, Float3(0.0F, 1.0F, 0.0F))->shaft_radius_mm, 0.0);
+  EXPECT_EQ(world_from_shading_tool(scene), &scene.driver->world_from_tool);
+  scene.saw = SawInScene{};
+  EXPECT_EQ(tool_shadow(scene, Float3(0.0F, 1.0F, 0.0F))->shaft_radius_mm, 0.0);
+  EXPECT_EQ(world_from_shading_tool(scene), &scene.saw->world_from_tool);
 }
 
 }  // namespace
