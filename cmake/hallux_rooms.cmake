@@ -92,10 +92,10 @@ endfunction()
 
 find_program(HALLUX_LLD ld.lld)
 
-# hallux_test(NAME LABEL fast|slow|machine SOURCES file... USES library...): one GoogleTest program; of a fast one each suite is
-# a CTest test, else each case.
+# hallux_test(NAME LABEL fast|slow|machine [BY_SUITE] SOURCES file... USES library...): one GoogleTest program; of a fast one, or
+# one whose suites share what takes long, each suite is a CTest test, else each case.
 function(hallux_test name)
-  cmake_parse_arguments(TEST "" "LABEL;TIMEOUT" "SOURCES;USES" ${ARGN})
+  cmake_parse_arguments(TEST "BY_SUITE" "LABEL;TIMEOUT" "SOURCES;USES" ${ARGN})
   if(NOT TEST_TIMEOUT)
     set(TEST_TIMEOUT 600)
   endif()
@@ -109,8 +109,8 @@ function(hallux_test name)
   endif()
   # What is tested is optimised as it is shipped; the test itself waits longer for the compiler than it runs.
   target_compile_options(${name} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
-  if(TEST_LABEL STREQUAL "fast")
-    hallux_suites(${name} fast ${TEST_TIMEOUT})
+  if(TEST_LABEL STREQUAL "fast" OR TEST_BY_SUITE)
+    hallux_suites(${name} ${TEST_LABEL} ${TEST_TIMEOUT})
   else()
     gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60
       PROPERTIES LABELS "${TEST_LABEL}" TIMEOUT ${TEST_TIMEOUT})

@@ -1,5 +1,6 @@
 #include "scenarios/planned_guide.h"
 
+#include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/check.h"
 
 namespace hallux::scenarios {
@@ -14,7 +15,7 @@ simulator::GuidePlan planned_guide(const Scenario& scenario, const Plan& plan,
     // A face is finished bone: the middle of the blade lies half a kerf further into the waste.
     if (cut != nullptr) {
       guide.of_step[step] = {cut->face.normal,
-                             cut->face.offset_mm + 0.5 * scenario.saw.blade.kerf_mm};
+                             cut->face.offset_mm + 0.5 * blade_of(scenario, *cut).kerf_mm};
     }
   }
   return guide;
@@ -24,7 +25,7 @@ const PlannedCut* cut_at_step(const Scenario& scenario, const Plan& plan,
                               std::size_t step) noexcept {
   for (; step < scenario.steps.size(); ++step) {
     const OperationStep& each = scenario.steps[step];
-    if (each.kind == StepKind::Cut) return find_cut(plan, each.cut);
+    if (is_sawn(each)) return find_cut(plan, each.cut);
     if (each.kind != StepKind::Verify) return nullptr;
   }
   return nullptr;

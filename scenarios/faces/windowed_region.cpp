@@ -83,4 +83,11 @@ SectionRegion within_window(const SectionRegion& region, const simulator::KerfPl
   return kept;
 }
 
+void keep_within(simulator::Section& section, const simulator::KerfPlane& plane,
+                 const FaceWindow& window) {
+  for (SectionRegion& region : section.regions) region = within_window(region, plane, window);
+  std::erase_if(section.regions,
+                [](const SectionRegion& region) { return region.contours.empty(); });
+}
+
 }  // namespace hallux::scenarios

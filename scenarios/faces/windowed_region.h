@@ -11,4 +11,8 @@ namespace hallux::scenarios {
 simulator::SectionRegion within_window(const simulator::SectionRegion& region,
                                        const simulator::KerfPlane& plane, const FaceWindow& window);
 
+/// Of each region of a section what lies within; the others go.
+void keep_within(simulator::Section& section, const simulator::KerfPlane& plane,
+                 const FaceWindow& window);
+
 }  // namespace hallux::scenarios

@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <variant>
 
-#include "scenarios/tray/laid_out_tools.h"
+#include "scenarios/tray/fitting_tools.h"
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
 
@@ -17,52 +16,6 @@ namespace {
 
 /// A wire that is to hold in one cortex alone goes so far of its way.
 constexpr double unicortical_share = 0.6;
-
-double middle_off(double value, const Range& range) noexcept {
-  return std::abs(value - range.middle_mm());
-}
-
-/// How far a tool is from what the plan asks; nothing of a tool of another kind.
-std::optional<double> misfit_of(const simulator::Tool& tool, const PlannedImplant& planned,
-                                double longer_mm) {
-  if (const auto* wire = std::get_if<simulator::WireDriver>(&tool)) {
-    if (planned.kind != ImplantKind::Wire) return std::nullopt;
-    return middle_off(wire->wire.diameter_mm, planned.diameters);
-  }
-  const auto* driver = std::get_if<simulator::Screwdriver>(&tool);
-  if (driver == nullptr || planned.kind != ImplantKind::Screw) return std::nullopt;
-  // The diameter is chosen before the length.
-  constexpr double before = 100.0;
-  return before * middle_off(driver->screw.thread_diameter_mm, planned.diameters) +
-         std::abs(driver->screw.length_mm - planned.length_mm - longer_mm);
-}
-
-std::int32_t fitting_tool(const std::vector<LaidOutTool>& tools, const PlannedImplant& planned,
-                          double longer_mm) {
-  std::optional<std::size_t> best;
-  double best_off = 0.0;
-  for (std::size_t i = 0; i < tools.size(); ++i) {
-    const std::optional<double> off = misfit_of(tools[i].tool, planned, longer_mm);
-    if (!off || (best && *off >= best_off)) continue;
-    best = i;
-    best_off = *off;
-  }
-  if (best) return static_cast<std::int32_t>(*best);
-  throw ScenarioError("implant \"" + planned.name + "\": nothing on the tray sets it");
-}
-
-/// Of the pilot hole that the screw asks for.
-std::optional<std::int32_t> drill_for(const std::vector<LaidOutTool>& tools, std::int32_t tool) {
-  const auto* driver =
-      std::get_if<simulator::Screwdriver>(&tools[static_cast<std::size_t>(tool)].tool);
-  if (driver == nullptr) return std::nullopt;
-  for (std::size_t i = 0; i < tools.size(); ++i) {
-    const auto* drill = std::get_if<simulator::Drill>(&tools[i].tool);
-    if (drill != nullptr && drill->bit.diameter_mm == driver->screw.pilot_diameter_mm)
-      return static_cast<std::int32_t>(i);
-  }
-  return std::nullopt;
-}
 
 Vec3 turned(const Vec3& direction, const Vec3& about, double angle_rad) {
   return transform_direction({rotation_about(about, angle_rad), {}}, direction);
@@ -99,8 +52,10 @@ AimedImplant aim_implant(const Scenario& scenario, const Plan& plan, std::size_t
   const double longer_mm = size_of(FaultKind::Length);
   AimedImplant aimed;
   aimed.bone_from_axis = {rotation_from_axes(leaned, any_across(leaned)), entry_mm};
-  aimed.tool = fitting_tool(tools, planned, longer_mm);
-  aimed.drill = drill_for(tools, aimed.tool);
+  const std::optional<std::int32_t> tool = fitting_tool(tools, planned, longer_mm);
+  if (!tool) throw ScenarioError("implant \"" + planned.name + "\": nothing on the tray sets it");
+  aimed.tool = *tool;
+  aimed.drill = pilot_drill(tools, aimed.tool);
   aimed.depth_mm = planned.length_mm + longer_mm;
   if (is_faulty(skill.faults, FaultKind::Unicortical, planned.name))
     aimed.depth_mm *= unicortical_share;

@@ -65,7 +65,7 @@ bool lies_beyond(std::span<const SawnFace> faces, const Vec3& point_in_bone_mm) 
 
 std::vector<Vec3> parted_places_mm(std::span<const SawnFace> faces,
                                    const simulator::SolidWithTree& whole,
-                                   const simulator::KerfSet& kerfs) {
+                                   const simulator::FragmentKerfs& kerfs) {
   std::vector<Vec3> places_mm;
   if (faces.empty()) return places_mm;
   visit_grid(box_of(whole.solid.mesh), [&](const Vec3& place_mm) {

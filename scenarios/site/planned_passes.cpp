@@ -5,7 +5,9 @@
 #include <limits>
 #include <optional>
 
+#include "scenarios/faces/windowed_region.h"
 #include "scenarios/site/planned_window.h"
+#include "scenarios/tray/laid_out_tools.h"
 #include "simulator/cutting/slice/section.h"
 
 namespace hallux::scenarios {
@@ -82,7 +84,7 @@ int passes_needed(double extent_mm, double width_mm) noexcept {
 PlannedPasses planned_passes(const Scenario& scenario, const Plan& plan, std::size_t cut,
                              const simulator::CutSolid& whole, const simulator::Bvh& bvh) {
   const PlannedCut& planned = plan.cuts[cut];
-  const simulator::Blade& blade = scenario.saw.blade;
+  const simulator::Blade& blade = blade_of(scenario, planned);
   PlannedPasses passes;
   passes.feed_in_bone = feed_of(planned);
   const KerfPlane plane = plane_of(planned, passes.feed_in_bone, blade.kerf_mm);
@@ -90,7 +92,8 @@ PlannedPasses planned_passes(const Scenario& scenario, const Plan& plan, std::si
   std::optional<PlannedWindow> window;
   if (const PlannedHinge* hinge = find_hinge(plan, planned.hinge))
     window = window_before(*hinge, blade.kerf_mm);
-  const Section section = slice_section(whole, bvh, plane);
+  Section section = slice_section(whole, bvh, plane);
+  if (planned.window) keep_within(section, plane, *planned.window);
   Extent extent;
   if (!section.regions.empty()) extent = extent_of(section, window);
   if (!(extent.low_mm <= extent.high_mm)) extent = {0.0, 0.0};

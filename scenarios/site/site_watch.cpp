@@ -1,11 +1,13 @@
 #include "scenarios/site/site_watch.h"
 
-#include <optional>
+#include <algorithm>
 #include <utility>
 
+#include "scenarios/faces/windowed_region.h"
 #include "scenarios/site/bone_words.h"
 #include "scenarios/site/kerf_of_cut.h"
 #include "scenarios/site/planned_window.h"
+#include "scenarios/steps/step_order.h"
 
 namespace hallux::scenarios {
 
@@ -82,6 +84,11 @@ void set_extent(HeldCut& held, const simulator::Section& section,
   }
 }
 
+/// As it lies now.
+KerfPlane in_bone(const KerfPlane& plane, const simulator::FragmentPose& pose) {
+  return {pose.bone_from_fragment * plane.bone_from_kerf, plane.thickness_mm};
+}
+
 std::string side_of(const HeldSection& section, const HeldCut& held) {
   const Vec2 lean_mm = section.middle_mm - section.section_middle_mm;
   if (held.bone_mm.empty() || length_of(lean_mm) < least_lean * size_mm_of(held.bone_mm)) return {};
@@ -92,54 +99,93 @@ std::string side_of(const HeldSection& section, const HeldCut& held) {
 }  // namespace
 
 SiteWatch::SiteWatch(const Scenario& scenario, const Plan& plan)
-    : scenario_(scenario), plan_(plan) {}
+    : scenario_(scenario), plan_(plan), is_done_(scenario.steps.size(), false) {}
 
 void SiteWatch::apply(const simulator::CutEvent& event, const simulator::KerfSet& kerfs) {
-  if (event.kind == CutEventKind::StepDone) step_ = static_cast<std::size_t>(event.subject) + 1;
-  if (event.kind == CutEventKind::StepReopened) step_ = static_cast<std::size_t>(event.subject);
-  if (event.kind == CutEventKind::PlaneFrozen)
-    kerfs_.push_back({cut_of(kerfs.plane(event.subject)), {}, false});
+  const auto subject = static_cast<std::size_t>(event.subject);
+  switch (event.kind) {
+    case CutEventKind::StepDone:
+      if (subject < is_done_.size()) is_done_[subject] = true;
+      told_step_.reset();
+      if (scenario_.format == 1) told_step_ = subject + 1;
+      break;
+    case CutEventKind::StepReopened:
+      if (subject < is_done_.size()) is_done_[subject] = false;
+      told_step_ = subject;
+      break;
+    case CutEventKind::PlaneFrozen: {
+      const std::int32_t fragment = kerfs.fragment_of(event.subject);
+      kerfs_.push_back({cut_of(in_bone(kerfs.plane(event.subject), kerfs.fragments()[fragment]))});
+      break;
+    }
+    default:
+      break;
+  }
+}
+
+std::vector<std::size_t> SiteWatch::cuts_at_hand() const {
+  std::vector<std::size_t> steps, cuts;
+  if (told_step_) {
+    if (*told_step_ < scenario_.steps.size()) steps.push_back(*told_step_);
+  } else {
+    steps = steps_at_hand(scenario_, is_done_);
+  }
+  for (const std::size_t step : steps) {
+    if (is_sawn(scenario_.steps[step]))
+      cuts.push_back(index_of_cut(plan_, scenario_.steps[step].cut));
+  }
+  return cuts;
 }
 
 std::size_t SiteWatch::cut_of(const KerfPlane& plane) const {
-  if (step_ < scenario_.steps.size() && is_sawn(scenario_.steps[step_]))
-    return index_of_cut(plan_, scenario_.steps[step_].cut);
-  return nearest_cut(plane, plan_);
+  const std::vector<std::size_t> cuts = cuts_at_hand();
+  if (cuts.empty()) return nearest_cut(plane, plan_);
+  return *std::ranges::min_element(cuts, {},
+                                   [&](std::size_t cut) { return misfit(plane, plan_.cuts[cut]); });
 }
 
 HeldCut SiteWatch::held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
                            const simulator::SolidWithTree& whole, Crumbs crumbs) {
   KerfOfCut& known = kerfs_[static_cast<std::size_t>(kerf)];
   const KerfPlane& plane = kerfs.plane(kerf);
-  if (!known.has_section) {
+  const std::int32_t fragment = kerfs.fragment_of(kerf);
+  if (!known.section) {
     known.section = slice_section(whole.solid, whole.bvh, plane);
-    known.has_section = true;
+    if (const std::optional<FaceWindow>& window = plan_.cuts[known.cut].window)
+      keep_within(*known.section, in_bone(plane, kerfs.fragments()[fragment]), *window);
   }
   std::optional<PlaneLimit> limit;
   if (const PlannedHinge* hinge = find_hinge(plan_, plan_.cuts[known.cut].hinge))
     limit = limit_in(plane, window_before(*hinge, plane.thickness_mm));
   const HeldSection section =
-      held_section(known.section, kerfs, kerf, limit,
+      held_section(*known.section, {kerfs, fragment}, kerf, limit,
                    crumbs == Crumbs::Told ? crumb_spacing_mm : simulator::held_spacing_mm);
   HeldCut held;
   held.kerf = kerf;
+  held.fragment = fragment;
+  held.bone_from_fragment = kerfs.fragments()[fragment].bone_from_fragment;
   const double least_share = crumbs == Crumbs::Told ? 0.0 : held_share_min;
   held.share = section.share < least_share ? 0.0 : section.share;
   held.bone_from_kerf = plane.bone_from_kerf;
-  held.bone_mm = contours_of(known.section, section.regions, limit);
-  set_extent(held, known.section, section.regions);
+  held.bone_mm = contours_of(*known.section, section.regions, limit);
+  set_extent(held, *known.section, section.regions);
   held.side = side_of(section, held);
-  held.deepest_in_bone_mm = transform_point(plane.bone_from_kerf, Vec3(section.deepest_mm, 0.0));
+  held.deepest_in_bone_mm =
+      transform_point(held.bone_from_kerf_now(), Vec3(section.deepest_mm, 0.0));
   return held;
 }
 
 std::vector<HeldCut> SiteWatch::held(const simulator::KerfSet& kerfs,
-                                     const simulator::SolidWithTree& whole, Crumbs crumbs) {
+                                     std::span<const simulator::SolidWithTree> wholes,
+                                     Crumbs crumbs) {
   std::vector<HeldCut> held(plan_.cuts.size());
-  for (std::size_t kerf = 0; kerf < kerfs_.size(); ++kerf) {
-    HeldCut made = held_of(static_cast<std::int32_t>(kerf), kerfs, whole, crumbs);
-    HeldCut& of_cut = held[kerfs_[kerf].cut];
-    if (!of_cut.is_begun() || made.share < of_cut.share) of_cut = std::move(made);
+  for (std::int32_t kerf = 0; kerf < static_cast<std::int32_t>(kerfs_.size()); ++kerf) {
+    KerfOfCut& known = kerfs_[static_cast<std::size_t>(kerf)];
+    const std::int32_t fragment = kerfs.fragment_of(kerf);
+    if (kerfs.kerfs_of(fragment).has(kerf))
+      known.held = held_of(kerf, kerfs, wholes[static_cast<std::size_t>(fragment)], crumbs);
+    HeldCut& of_cut = held[known.cut];
+    if (!of_cut.is_begun() || known.held.share < of_cut.share) of_cut = known.held;
   }
   return held;
 }

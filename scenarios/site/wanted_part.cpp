@@ -9,16 +9,28 @@ namespace {
 using simulator::Bvh;
 using simulator::PieceBody;
 
-/// Empty where a cut was not begun.
-std::vector<SawnFace> faces_around(const OperationStep& step, const Plan& plan,
-                                   std::span<const HeldCut> held, double kerf_mm) {
+/// The faces that a step's cuts left, and the fragment that they are in.
+struct FacesAround {
+  /// Empty where a cut was not begun.
   std::vector<SawnFace> faces;
+  std::size_t fragment = 0;
+};
+
+FacesAround faces_around(const OperationStep& step, const Plan& plan, std::span<const HeldCut> held,
+                         std::span<const FragmentInPieces> fragments) {
+  FacesAround around;
   for (const std::string& name : cuts_around(step, plan)) {
     const std::size_t cut = index_of_cut(plan, name);
     if (cut >= held.size() || !held[cut].is_begun()) return {};
-    faces.push_back(sawn_face(held[cut], plan.cuts[cut], kerf_mm));
+    const auto fragment = static_cast<std::size_t>(held[cut].fragment);
+    if (fragment >= fragments.size()) return {};
+    if (!around.faces.empty() && fragment != around.fragment) return {};
+    around.fragment = fragment;
+    const simulator::KerfSet& kerfs = fragments[fragment].kerfs.all();
+    around.faces.push_back(
+        sawn_face(held[cut], plan.cuts[cut], kerfs.plane(held[cut].kerf).thickness_mm));
   }
-  return faces;
+  return around;
 }
 
 /// A piece may be smaller than the grid, or reach further than its inside point.
@@ -31,14 +43,19 @@ bool is_of_it(const PieceBody& piece, std::span<const SawnFace> faces,
 
 }  // namespace
 
+bool takes_out(const OperationStep& step) noexcept {
+  return step.kind == StepKind::Remove || step.kind == StepKind::Trim;
+}
+
 WantedPart wanted_part(const OperationStep& step, const Plan& plan, std::span<const HeldCut> held,
-                       const BoneInPieces& bone) {
+                       std::span<const FragmentInPieces> fragments) {
   WantedPart part;
-  const std::vector<SawnFace> faces = faces_around(step, plan, held, bone.kerfs.blade().kerf_mm);
+  const auto [faces, number] = faces_around(step, plan, held, fragments);
   if (faces.empty()) return part;
-  const std::vector<Vec3> places_mm = parted_places_mm(faces, bone.whole, bone.kerfs);
-  std::vector<const Bvh*> off(bone.taken_out.begin(), bone.taken_out.end());
-  for (const PieceBody* piece : bone.free) {
+  const FragmentInPieces& fragment = fragments[number];
+  const std::vector<Vec3> places_mm = parted_places_mm(faces, fragment.whole, fragment.kerfs);
+  std::vector<const Bvh*> off = fragment.taken_out;
+  for (const PieceBody* piece : fragment.free) {
     if (!is_of_it(*piece, faces, places_mm)) continue;
     part.pieces.push_back(piece->id);
     off.push_back(piece->bvh.get());

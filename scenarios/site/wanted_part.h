@@ -19,20 +19,24 @@ struct WantedPart {
   bool is_off = false;
 };
 
-/// The bone of an attempt as it is now; all borrowed.
-struct BoneInPieces {
-  /// The bone as it was.
+/// A fragment of an attempt as it is now, in its own frame; all borrowed.
+struct FragmentInPieces {
+  /// What it was cut from since it is one.
   simulator::SolidWithTree whole;
-  const simulator::KerfSet& kerfs;
+  simulator::FragmentKerfs kerfs;
   /// That lie free, largest first, each with its tree.
-  std::span<const simulator::PieceBody* const> free;
-  std::span<const simulator::Bvh* const> taken_out;
+  std::vector<const simulator::PieceBody*> free;
+  std::vector<const simulator::Bvh*> taken_out;
 };
 
-/// Nothing is of it where one of its cuts was not begun.
-/// held    by the plan's cuts
+/// A step that ends with bone out of the wound: what its cuts part off.
+bool takes_out(const OperationStep& step) noexcept;
+
+/// Nothing is of it where one of its cuts was not begun, or they lie in different fragments.
+/// held       by the plan's cuts
+/// fragments  by their numbers
 /// thread  any; some 10 ms
 WantedPart wanted_part(const OperationStep& step, const Plan& plan, std::span<const HeldCut> held,
-                       const BoneInPieces& bone);
+                       std::span<const FragmentInPieces> fragments);
 
 }  // namespace hallux::scenarios

@@ -1,31 +1,26 @@
-/// The bone at every moment of a recorded attempt, so that any of them can be shown at once.
+/// The bone at every moment of a recorded attempt, so that any of them can be shown at once: its
+/// fragments, the wires, screws and bores in them, and what was in the hand.
 /// Inside this corner only.
 ///
-/// What the blade opened is kept as one field a kerf with the tick at which each node opened: the
-/// kerf of a moment is a threshold of it. In a stretch of time in which only one kerf grows the
-/// others stand still: they are cut into a solid that is made once, and the one that grows is a
-/// patch on it, built from the outline of the moment:
+///     events, samples --> paths of fragments, metal, hand
+///     fields, jobs    --> spans between partings --> stretches in which one kerf grows
 ///
-///     time       ---- kerf 0 grows ----|---- kerf 1 grows ----|-- kerf 0 again --
-///     solid      the whole bone         bone less kerf 0       bone less kerf 1
-///     patch      kerf 0, by outline     kerf 1, by outline     kerf 0, by outline
-///
-/// Pieces have the numbers that the attempt gave them: they are numbered at the ticks at which its
-/// jobs did so, by the same rule. A piece that was taken out is left out from then on; a closed
-/// hinge has two halves.
+/// A closed hinge is two fragments, one of which was turned; so it is in recordings of engine 7 and
+/// older, which had no fragments.
 #pragma once
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "simulator/base/progress.h"
 #include "simulator/bone/close_bridge.h"
-#include "simulator/cutting/field/opened_field.h"
-#include "simulator/cutting/slice/slab_slice.h"
+#include "simulator/history/fragment_history.h"
+#include "simulator/history/hand_history.h"
+#include "simulator/history/metal_history.h"
 #include "simulator/mesh/bone.h"
 #include "simulator/record/record.h"
+#include "simulator/tool/tray.h"
 
 namespace hallux::simulator {
 
@@ -37,58 +32,34 @@ struct HistoryRequest {
   std::vector<OpenedField> opened;
   /// As the operation planned it.
   PlannedBridges bridges;
+  /// With the tools that left wires, screws and bores.
+  Tray tray = {};
 };
 
-/// What a kerf opened, and when.
-struct KerfGrowth {
-  OpenedField opened;
-  /// Ticks at which something opened, ascending.
-  std::vector<std::int32_t> ticks;
-
-  /// How many of them are not after this tick: the kerf looks the same wherever that is the same.
-  std::size_t grown_at(std::int64_t tick) const noexcept;
-};
-
-/// A stretch of time in which at most one kerf grows.
-struct BoneStretch {
-  std::int64_t from_tick = 0;
-  /// That kerf; -1: none ever does.
-  std::int32_t growing = -1;
-  /// The bone with the other kerfs as they are.
-  CutSolid solid;
-  /// Of the growing kerf; null for none.
-  std::unique_ptr<const SlabSlice> contact;
-  /// Per piece that is taken out its triangles of the solid, ascending; empty where it is taken out
-  /// later.
-  std::vector<std::vector<std::uint32_t>> of_piece;
-};
-
-struct TakenPiece {
-  std::int64_t tick = 0;
-  std::unique_ptr<const Bvh> body;
-};
-
-/// The two halves after a hinge was closed.
-struct ClosedHalves {
-  std::int64_t tick = 0;
-  CutSolid fixed, moved;
-  RigidTransform bone_from_moved;
+/// A place on bone, in the frame of its fragment.
+struct PlaceOnFragment {
+  std::int32_t fragment = 0;
+  Vec3 point_mm{0.0, 0.0, 0.0};
 };
 
 /// Never changes once it was built.
 struct BoneHistory {
   std::vector<KerfGrowth> kerfs;
-  /// By time, the first from the beginning.
-  std::vector<BoneStretch> stretches;
-  /// By time.
-  std::vector<TakenPiece> taken;
-  std::optional<ClosedHalves> closed;
+  /// As FragmentPoses numbers them: the bone is the first.
+  std::vector<FragmentHistory> fragments;
+  MetalHistory metal;
+  HandHistory hand;
+  /// By bone.
+  std::vector<RigidTransform> world_from_bones;
 
-  std::size_t stretch_at(std::int64_t tick) const noexcept;
+  RigidTransform world_from_fragment(std::int32_t fragment, std::int64_t tick) const noexcept;
+  /// The same place in the fragment that it belongs to at last: of the one that is said and those
+  /// that were parted from it, the one whose solid holds it, else the nearest.
+  PlaceOnFragment place_at_last(const PlaceOnFragment& place) const;
+  /// Where it is in the world after that tick; while its fragment is a part of another one, where
+  /// that lies.
+  Vec3 world_place_mm(const PlaceOnFragment& place, std::int64_t tick) const noexcept;
 };
-
-/// A triangle lies on the surface of the piece that it belongs to but for rounding.
-bool lies_on(const Bvh& body, const Vec3& point_mm);
 
 /// `progress` is told the fraction done and may throw to stop it.
 /// errors  Cancelled

@@ -89,14 +89,13 @@ void AttemptGeometry::apply(const ToolSample& sample) {
 
 /// A fragment's own piece goes with all of it.
 void AttemptGeometry::take_out(std::int32_t piece) {
-  for (FragmentSolid& fragment : fragments_) {
-    if (fragment.is_out || find_piece(fragment.bone.pieces(), piece) == nullptr) continue;
-    if (fragment.bone.pieces().main() == piece) {
-      fragment.is_out = true;
-    } else {
-      fragment.bone.take_out(piece);
-    }
-    return;
+  const std::int32_t number = fragment_of_piece(piece);
+  if (number < 0) return;
+  FragmentSolid& fragment = fragment_at(number);
+  if (fragment.bone.pieces().main() == piece) {
+    fragment.is_out = true;
+  } else {
+    fragment.bone.take_out(piece);
   }
 }
 
@@ -224,20 +223,17 @@ void AttemptGeometry::run_hinge(JobResult& result) {
 
 void AttemptGeometry::run_grip(JobResult& result) {
   GrippedPiece& gripped = result.gripped;
-  for (std::size_t i = 0; i < fragments_.size(); ++i) {
-    const NumberedPieces& pieces = fragments_[i].bone.pieces();
-    const PieceBody* const piece = find_piece(pieces, result.request.subject);
-    if (fragments_[i].is_out || piece == nullptr) continue;
-    gripped.fragment = static_cast<std::int32_t>(i);
-    gripped.centroid_mm = centroid_of(piece->solid.mesh);
-    gripped.surface = std::make_unique<const Bvh>(piece->solid.mesh);
-    gripped.points_mm = contact_points(piece->solid, points_of_piece);
-    gripped.met = met_by(piece->id, gripped.fragment);
-    std::vector<const Bvh*> others;
-    for (const MetFragment& met : gripped.met) others.push_back(met.surface.get());
-    gripped.closing = out_of_facing_walls(piece->solid, others);
-    return;
-  }
+  const std::int32_t fragment = fragment_of_piece(result.request.subject);
+  if (fragment < 0) return;
+  const PieceBody& piece = *find_piece(fragment_at(fragment).bone.pieces(), result.request.subject);
+  gripped.fragment = fragment;
+  gripped.centroid_mm = centroid_of(piece.solid.mesh);
+  gripped.surface = std::make_unique<const Bvh>(piece.solid.mesh);
+  gripped.points_mm = contact_points(piece.solid, points_of_piece);
+  gripped.met = met_by(piece.id, fragment);
+  std::vector<const Bvh*> others;
+  for (const MetFragment& met : gripped.met) others.push_back(met.surface.get());
+  gripped.closing = out_of_facing_walls(piece.solid, others);
 }
 
 /// Every other piece: those of its own fragment lie where it was, those of others where they lie.
@@ -263,19 +259,26 @@ CutSolid AttemptGeometry::solid() const {
   return all;
 }
 
-bool AttemptGeometry::is_only_kerf(std::int32_t kerf) const {
-  for (std::int32_t other = 0; other < kerfs_.count(); ++other) {
-    if (other != kerf && !outline_of(kerfs_.field(other)).corners_mm.empty()) return false;
+std::int32_t AttemptGeometry::fragment_of_piece(std::int32_t piece) const noexcept {
+  for (std::int32_t fragment = 0; fragment < fragment_count(); ++fragment) {
+    const FragmentSolid& each = fragment_at(fragment);
+    if (!each.is_out && find_piece(each.bone.pieces(), piece) != nullptr) return fragment;
   }
-  return !fragment_at(0).bone.pieces().has_taken_out();
+  return -1;
 }
 
-std::optional<CutSolid> AttemptGeometry::solid_without(std::int32_t kerf) {
+bool AttemptGeometry::is_only_kerf(std::int32_t kerf) const {
+  const FragmentSolid& fragment = fragment_at(kerfs_.fragment_of(kerf));
+  if (fragment.own != nullptr || fragment.bone.pieces().has_taken_out()) return false;
+  return std::ranges::all_of(fragment.kerfs, [&](std::int32_t other) {
+    return other == kerf || outline_of(kerfs_.field(other)).corners_mm.empty();
+  });
+}
+
+std::optional<CutSolid> AttemptGeometry::solid_without(std::int32_t fragment, std::int32_t kerf) {
   bring_up_to_date();
-  const std::int32_t fragment = kerf < 0 ? 0 : kerfs_.fragment_of(kerf);
-  const std::int32_t place = kerf < 0 ? -1 : place_of(kerf);
   CutBone& bone = fragment_at(fragment).bone;
-  return bone.pieces().without_taken_out(bone.all_but(place));
+  return bone.pieces().without_taken_out(bone.all_but(kerf < 0 ? -1 : place_of(kerf)));
 }
 
 }  // namespace hallux::simulator

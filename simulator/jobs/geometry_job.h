@@ -148,17 +148,31 @@ class AttemptGeometry {
     return fragment_at(fragment).bone.pieces().pieces();
   }
   const KerfSet& kerfs() const noexcept { return kerfs_; }
-  /// The bone that was never cut, with its tree.
-  SolidWithTree whole() { return fragment_at(0).bone.before(0); }
-  /// Bodies that were taken out of the bone, or parted from it; they live as long as this.
-  std::vector<const Bvh*> taken_out() const { return fragment_at(0).bone.pieces().taken_out(); }
-  /// Nothing but this kerf was opened, and nothing taken out: without it the bone is whole.
+  std::int32_t fragment_count() const noexcept {
+    return static_cast<std::int32_t>(fragments_.size());
+  }
+  /// It was taken out of the wound.
+  bool is_out(std::int32_t fragment) const noexcept { return fragment_at(fragment).is_out; }
+  /// The number that all of a fragment has as a piece.
+  std::int32_t own_piece(std::int32_t fragment) const noexcept {
+    return fragment_at(fragment).bone.pieces().main();
+  }
+  /// In which a piece lies; -1: none.
+  std::int32_t fragment_of_piece(std::int32_t piece) const noexcept;
+  /// What a fragment was cut from since it is one, with its tree.
+  SolidWithTree whole(std::int32_t fragment) { return fragment_at(fragment).bone.before(0); }
+  /// Bodies that were taken out of a fragment since it is one; borrowed until it is divided.
+  std::vector<const Bvh*> taken_out(std::int32_t fragment) const {
+    return fragment_at(fragment).bone.pieces().taken_out();
+  }
+  /// Its fragment is a bone of which nothing but this kerf was opened, and nothing taken out or
+  /// parted: without it the bone is whole.
   bool is_only_kerf(std::int32_t kerf) const;
-  /// What lies in the wound with all kerfs opened as far as they are now but one (-1: but none),
-  /// for a display that shows that one's cut on it. Nothing where a piece that was taken out would
-  /// hang on the bone again.
+  /// A fragment with all its kerfs opened as far as they are now but one (-1: but none), for a
+  /// display that shows that one's cut on it. Nothing where a piece that was taken out would hang
+  /// on it again.
   /// thread  the one that applies
-  std::optional<CutSolid> solid_without(std::int32_t kerf);
+  std::optional<CutSolid> solid_without(std::int32_t fragment, std::int32_t kerf);
 
  private:
   /// A fragment's solid with the kerfs that cut it since it is one.

@@ -76,4 +76,14 @@ BladeAhead look_ahead(const RigidTransform& bone_from_tool, const Blade& blade,
   return ahead;
 }
 
+BladeAhead ahead_of_both(const BladeAhead& one, const BladeAhead& other) noexcept {
+  BladeAhead both = one;
+  if (other.to_bone_mm)
+    both.to_bone_mm = std::min(one.to_bone_mm.value_or(looked_ahead_mm), *other.to_bone_mm);
+  if (other.to_far_side_mm)
+    both.to_far_side_mm = std::max(one.to_far_side_mm.value_or(0.0), *other.to_far_side_mm);
+  both.beside_mm = std::min(one.beside_mm, other.beside_mm);
+  return both;
+}
+
 }  // namespace hallux::simulator

@@ -14,12 +14,12 @@
 
 namespace hallux::simulator {
 
-/// What stands of a bone; all borrowed.
+/// What stands of a fragment, in its frame; all borrowed.
 struct StandingBone {
-  /// Over the bone as it was, its canal with it.
+  /// Over what it was cut from, its canal with it.
   const Bvh& whole;
-  const KerfSet& kerfs;
-  /// Bodies that were taken out.
+  FragmentKerfs kerfs;
+  /// Bodies that were taken out of it.
   std::span<const Bvh* const> taken_out;
 };
 
@@ -39,5 +39,8 @@ inline constexpr double looked_ahead_mm = 80.0;
 /// thread  any; about a millisecond
 BladeAhead look_ahead(const RigidTransform& bone_from_tool, const Blade& blade,
                       const StandingBone& bone);
+
+/// Of several fragments, each asked in its own frame: the first that is met, the last that is left.
+BladeAhead ahead_of_both(const BladeAhead& one, const BladeAhead& other) noexcept;
 
 }  // namespace hallux::simulator

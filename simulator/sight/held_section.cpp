@@ -99,17 +99,17 @@ Filled fill(const Section& section, double spacing_mm) {
 /// Asks for each node of bone whether some kerf has opened it.
 class OpenedNodes {
  public:
-  OpenedNodes(const KerfSet& kerfs, std::int32_t kerf)
+  OpenedNodes(const FragmentKerfs& kerfs, std::int32_t kerf)
       : kerfs_(kerfs), kerf_(kerf), bone_from_kerf_(kerfs.plane(kerf).bone_from_kerf) {}
 
   bool is_open(const Vec2& place_mm) const noexcept {
     if (kerfs_.field(kerf_).is_open(place_mm)) return true;
-    return kerfs_.count() > 1 &&
+    return kerfs_.numbers().count() > 1 &&
            kerfs_.is_open(transform_point(bone_from_kerf_, Vec3(place_mm, 0.0)));
   }
 
  private:
-  const KerfSet& kerfs_;
+  FragmentKerfs kerfs_;
   std::int32_t kerf_;
   RigidTransform bone_from_kerf_;
 };
@@ -187,7 +187,7 @@ void find_deepest(HeldSection& held, const Grid& grid, const std::vector<std::ui
 
 }  // namespace
 
-HeldSection held_section(const Section& section, const KerfSet& kerfs, std::int32_t kerf,
+HeldSection held_section(const Section& section, const FragmentKerfs& kerfs, std::int32_t kerf,
                          const std::optional<PlaneLimit>& limit, double spacing_mm) {
   HeldSection held;
   if (section.regions.empty()) return held;

@@ -6,7 +6,8 @@
 ///       (          )                 (    #####)                (  x o |
 ///        '--------'                   '---#####'                 '-----'
 ///
-/// For displays: on a grid, never fed back. What other kerfs have opened does not hold either.
+/// For displays: on a grid, never fed back. What other kerfs of the fragment have
+/// opened does not hold either.
 #pragma once
 
 #include <cstdint>
@@ -41,10 +42,10 @@ struct PlaneLimit {
 inline constexpr double held_spacing_mm = 0.2;
 
 /// Of the regions of the section that the blade has touched; of the largest where it touched none.
-/// needs   the section is of this kerf's plane, of the bone as it was
+/// needs   the section is of this kerf's plane, of what the fragment was cut from
 /// errors  none: a plane that misses the bone holds nothing
 /// thread  any; about a millisecond, at a finer spacing as the square of it
-HeldSection held_section(const Section& section, const KerfSet& kerfs, std::int32_t kerf,
+HeldSection held_section(const Section& section, const FragmentKerfs& kerfs, std::int32_t kerf,
                          const std::optional<PlaneLimit>& limit = {},
                          double spacing_mm = held_spacing_mm);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "simulator/base/fixed_list.h"
 #include "simulator/base/units.h"
 #include "simulator/step/carried_implants.h"
 #include "simulator/step/recorded_tool.h"
@@ -11,30 +12,50 @@ namespace hallux::simulator {
 
 namespace {
 
-/// Whether a wire or a screw stays in a bore.
-bool has_implant(const RigidTransform& wound_from_bore, const ImplantSet& implants,
-                 const Wound& wound) noexcept {
-  const auto all = implants.all();
-  return std::any_of(all.begin(), all.end(), [&](const Implant& implant) {
-    return stands(implant, wound) && is_along(wound_from_bore, wound_from_implant(implant, wound));
-  });
+/// Implants that stand, in the wound's frame.
+using StandingImplants = FixedList<RigidTransform, static_cast<std::size_t>(implant_limit)>;
+
+StandingImplants standing_implants(const ImplantSet& implants, const Wound& wound) noexcept {
+  StandingImplants standing;
+  for (const Implant& implant : implants.all()) {
+    if (stands(implant, wound)) standing.push(wound_from_implant(implant, wound));
+  }
+  return standing;
+}
+
+void find_bores(std::span<const BorePlace> places, const StandingImplants& implants,
+                const Wound& wound, BoresAtHand& at_hand) noexcept {
+  for (const BorePlace& place : places) {
+    Bore& bore = at_hand.bores[at_hand.count++];
+    bore = place.bore;
+    const WoundFragment* const standing = wound.fragment(place.fragment);
+    if (standing != nullptr) bore.body_from_bore = standing->wound_from(bore.body_from_bore);
+    const bool has_implant = std::any_of(
+        implants.begin(), implants.end(),
+        [&](const RigidTransform& implant) { return is_along(bore.body_from_bore, implant); });
+    if (standing == nullptr || has_implant)
+      bore.depth_mm = -std::numeric_limits<double>::infinity();
+  }
+}
+
+void find_holes(std::span<const BorePlace> places, const Wound& wound,
+                BoresAtHand& at_hand) noexcept {
+  std::size_t end = 0;
+  for (std::int32_t fragment = 0; fragment < fragment_limit; ++fragment) {
+    if (wound.fragment(fragment) != nullptr) {
+      for (const BorePlace& place : places) {
+        if (place.fragment == fragment) at_hand.capsules[end++] = capsule_of(place.bore);
+      }
+    }
+    at_hand.ends[static_cast<std::size_t>(fragment)] = end;
+  }
 }
 
 BoresAtHand bores_at_hand(const FollowedRecord& record, const Wound& wound) noexcept {
   BoresAtHand at_hand;
-  for (const BorePlace& place : record.bores().places()) {
-    Bore& bore = at_hand.bores[at_hand.count++];
-    bore = place.bore;
-    const WoundFragment* const standing = wound.fragment(place.fragment);
-    if (standing == nullptr) {
-      bore.depth_mm = -std::numeric_limits<double>::infinity();
-      continue;
-    }
-    at_hand.capsules[static_cast<std::size_t>(place.fragment)].push(capsule_of(bore));
-    bore.body_from_bore = standing->wound_from(bore.body_from_bore);
-    if (has_implant(bore.body_from_bore, record.implants(), wound))
-      bore.depth_mm = -std::numeric_limits<double>::infinity();
-  }
+  const std::span<const BorePlace> places = record.bores().places();
+  find_bores(places, standing_implants(record.implants(), wound), wound, at_hand);
+  find_holes(places, wound, at_hand);
   return at_hand;
 }
 
@@ -42,8 +63,11 @@ BoresAtHand bores_at_hand(const FollowedRecord& record, const Wound& wound) noex
 
 HolesOfFragments BoresAtHand::holes() const noexcept {
   HolesOfFragments holes;
-  for (std::size_t fragment = 0; fragment < capsules.size(); ++fragment)
-    holes[fragment] = {capsules[fragment].begin(), capsules[fragment].size()};
+  std::size_t begin = 0;
+  for (std::size_t fragment = 0; fragment < ends.size(); ++fragment) {
+    holes[fragment] = std::span(capsules).subspan(begin, ends[fragment] - begin);
+    begin = ends[fragment];
+  }
   return holes;
 }
 
@@ -90,6 +114,18 @@ void Boring::report(const BoreOutcome& outcome, std::int32_t bore, StepWriter& o
   is_seated_ = outcome.head_seated || (is_seated_ && is_in_bore());
 }
 
+template <typename Counts>
+std::int32_t Boring::fragment_at_tip(const BoresAtHand& at_hand, const BoreInput& input,
+                                     const ToolSite& site, const StepWriter& out,
+                                     const Counts& counts) noexcept {
+  const std::int32_t fragments = out.record().fragments().count();
+  if (fragments != tip_fragments_) tip_ = {};
+  tip_fragments_ = fragments;
+  const HolesOfFragments holes = at_hand.holes();
+  return DrilledWound{site.wound, holes}.fragment_at(
+      tip_disc(tool_.wound_from_tool, input.tool.radius_mm), tip_, counts);
+}
+
 /// A point that is deep enough begins a bore along its axis; one that found a bore too narrow for
 /// it widens that.
 void Boring::find_bore(const BoreOutcome& outcome, const BoresAtHand& at_hand,
@@ -110,9 +146,8 @@ void Boring::find_bore(const BoreOutcome& outcome, const BoresAtHand& at_hand,
     begin(out.record().bores().places()[found].fragment, wider.body_from_bore, site, out);
     return;
   }
-  const HolesOfFragments holes = at_hand.holes();
-  const std::int32_t fragment = DrilledWound{site.wound, holes}.fragment_at(
-      tip_disc(tool_.wound_from_tool, input.tool.radius_mm), [](std::int32_t) { return true; });
+  const std::int32_t fragment =
+      fragment_at_tip(at_hand, input, site, out, [](std::int32_t) { return true; });
   if (fragment < 0) return;
   const Bore bore = begin_bore(tool_.wound_from_tool, tool_.touch_depth_mm, input.tool.radius_mm);
   begin(fragment, bore.body_from_bore, site, out);
@@ -138,10 +173,8 @@ void Boring::follow_bore(const BoresAtHand& at_hand, const BoreInput& input, con
                          StepWriter& out) noexcept {
   const BoreSet& bores = out.record().bores();
   if (out.record().fragments().count() == 1 || bores.is_full()) return;
-  const HolesOfFragments holes = at_hand.holes();
-  const std::int32_t fragment = DrilledWound{site.wound, holes}.fragment_at(
-      tip_disc(tool_.wound_from_tool, input.tool.radius_mm),
-      [&](std::int32_t number) { return !bores.is_entered_in(number); });
+  const std::int32_t fragment = fragment_at_tip(
+      at_hand, input, site, out, [&](std::int32_t number) { return !bores.is_entered_in(number); });
   if (fragment < 0) return;
   begin(fragment, at_hand.bores[static_cast<std::size_t>(tool_.bore)].body_from_bore, site, out);
 }

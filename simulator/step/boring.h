@@ -7,31 +7,20 @@
 #include <cstdint>
 
 #include "simulator/contact/bore/bore_motion.h"
+#include "simulator/record/refusals.h"
 #include "simulator/step/step_output.h"
 #include "simulator/step/tool_hand.h"
 
 namespace hallux::simulator {
-
-/// Why a wire or screw is not left in the bone, or not taken.
-enum class ImplantRefusal : std::int32_t {
-  /// No wire or screw that the hand holds stands in bone.
-  NothingToLeave = 1,
-  /// None of that number stands in bone.
-  NoSuchImplant = 2,
-  /// Another tool left it than the one in the hand.
-  OtherTool = 3,
-  /// The tool in the hand stands on bone, or forceps hold a piece.
-  HandsFull = 4,
-  /// As many were left as there may be.
-  TooMany = 5
-};
 
 /// The bores of an attempt as a tool meets them.
 struct BoresAtHand {
   /// In the wound's frame, by their places; one that is shut has no depth.
   std::array<Bore, bore_place_limit> bores{};
   std::size_t count = 0;
-  OfFragments<FixedList<Capsule, bore_place_limit>> capsules{};
+  /// Of one fragment after the other, in its frame; of each where they end.
+  std::array<Capsule, bore_place_limit> capsules{};
+  OfFragments<std::size_t> ends{};
 
   std::span<const Bore> all() const noexcept { return {bores.data(), count}; }
   /// Borrowed from this.
@@ -63,6 +52,11 @@ class Boring {
   void enter(std::int32_t place, StepWriter& out) noexcept;
   void follow_bore(const BoresAtHand& at_hand, const BoreInput& input, const ToolSite& site,
                    StepWriter& out) noexcept;
+  /// The fragment in which the tip stands, of those that count; -1: none.
+  template <typename Counts>
+  std::int32_t fragment_at_tip(const BoresAtHand& at_hand, const BoreInput& input,
+                               const ToolSite& site, const StepWriter& out,
+                               const Counts& counts) noexcept;
   /// Of the bore that holds the tool.
   const BorePlace& place(const StepWriter& out) const noexcept {
     return out.record().bores().places()[static_cast<std::size_t>(tool_.bore)];
@@ -74,6 +68,9 @@ class Boring {
   /// Said, and not over yet.
   bool is_bore_refused_ = false, is_seated_ = false;
   std::int32_t metal_ = -1;
+  /// Of the tip's disc, while there are so many fragments: one that parts is another solid.
+  DiscMemories tip_{};
+  std::int32_t tip_fragments_ = 0;
 };
 
 }  // namespace hallux::simulator

@@ -9,24 +9,9 @@
 
 #include "simulator/contact/gripped_body.h"
 #include "simulator/jobs/geometry_job.h"
+#include "simulator/record/refusals.h"
 
 namespace hallux::simulator {
-
-/// Why a piece is not gripped.
-enum class GripRefusal : std::int32_t {
-  /// None of that number lies in the wound.
-  NoSuchPiece = 1,
-  /// It is what the rest of the foot holds.
-  BoneItself = 2,
-  /// The forceps are closed, or about to.
-  HandsFull = 3,
-  /// The blade stands in bone.
-  ToolInBone = 4,
-  /// As many fragments were moved as there may be.
-  TooMany = 5,
-  /// A screw, wires that are not parallel, or a wire and a hinge hold it.
-  Held = 6
-};
 
 class Forceps {
  public:

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "simulator/record/refusals.h"
 #include "simulator/step/attempt_clock.h"
 #include "simulator/step/boring.h"
 #include "simulator/step/carried_implants.h"
@@ -30,16 +31,6 @@ struct StepInput {
   /// For each command ApplyJob of the line its result, borrowed until it is given back; null for
   /// other commands.
   std::array<JobResult*, commands_per_tick> job_results{};
-};
-
-/// Why a tool is not taken into the hand.
-enum class ToolRefusal : std::int32_t {
-  /// No such place is on the tray.
-  NoSuchTool = 1,
-  /// The forceps hold a piece, or are about to.
-  HandsFull = 2,
-  /// The tool in the hand stands on bone, or in it.
-  ToolInBone = 3
 };
 
 /// The matter of an attempt: the bone, the tools, and the rules between them. Who attempts, and how

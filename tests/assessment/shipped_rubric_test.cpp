@@ -43,6 +43,8 @@ Measurement of(const Part& part, double value) {
   made.cut = part.cut;
   made.hinge = part.hinge;
   made.zone = part.zone;
+  made.fragment = part.fragment;
+  made.implant = part.implant;
   made.value = value;
   return made;
 }
@@ -144,7 +146,7 @@ TEST_P(ShippedRubric, FullMarksAreAHundredAndNoneIsNought) {
   EXPECT_EQ(score_rubric(rubric, none).score_milli, 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, ShippedRubric, ::testing::Values("akin", "silver"),
+INSTANTIATE_TEST_SUITE_P(All, ShippedRubric, ::testing::Values("akin", "chevron", "silver"),
                          [](const auto& tested) { return tested.param; });
 
 }  // namespace

@@ -165,7 +165,7 @@ TEST(Scenario, OfAnUnknownNameSaysWhichThereAre) {
     load_shipped_scenario("gold");
     FAIL() << "gold is not shipped";
   } catch (const ScenarioError& error) {
-    EXPECT_STREQ(error.what(), "there is no scenario \"gold\"; use one of: akin, silver");
+    EXPECT_STREQ(error.what(), "there is no scenario \"gold\"; use one of: akin, chevron, silver");
   }
 }
 

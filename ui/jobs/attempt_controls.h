@@ -44,7 +44,17 @@ class AttemptControls {
   virtual void reopen(std::int32_t step) = 0;
   /// A free piece is taken out of the wound, by its number.
   virtual void pick_up(std::int32_t piece) = 0;
-  virtual void close_hinge() = 0;
+  /// By its number in the operation.
+  virtual void close_hinge(std::int32_t hinge) = 0;
+  /// Another tool comes into the hand, by its place on the tray.
+  virtual void choose_tool(std::int32_t place) = 0;
+  /// The forceps take hold of a piece, drive home what they hold, let it go.
+  virtual void grip(std::int32_t piece) = 0;
+  virtual void impact() = 0;
+  virtual void release() = 0;
+  /// The driver lets go of what stands in bone, or takes hold of what it left.
+  virtual void leave_implant() = 0;
+  virtual void take_implant(std::int32_t implant) = 0;
   virtual void finish() = 0;
   /// Kept as interrupted, never scored.
   virtual void abandon() = 0;
@@ -67,7 +77,19 @@ class CommandControls : public AttemptControls {
   }
   void reopen(std::int32_t step) override { say({simulator::CommandKind::ReopenStep, step, 0}); }
   void pick_up(std::int32_t piece) override { say({simulator::CommandKind::PickUp, piece, 0}); }
-  void close_hinge() override { say({simulator::CommandKind::CloseHinge, 0, 0}); }
+  void close_hinge(std::int32_t hinge) override {
+    say({simulator::CommandKind::CloseHinge, hinge, 0});
+  }
+  void choose_tool(std::int32_t place) override {
+    say({simulator::CommandKind::ChooseTool, place, 0});
+  }
+  void grip(std::int32_t piece) override { say({simulator::CommandKind::Grip, piece, 0}); }
+  void impact() override { say({simulator::CommandKind::Impact, 0, 0}); }
+  void release() override { say({simulator::CommandKind::Release, 0, 0}); }
+  void leave_implant() override { say({simulator::CommandKind::LeaveImplant, 0, 0}); }
+  void take_implant(std::int32_t implant) override {
+    say({simulator::CommandKind::TakeImplant, implant, 0});
+  }
   void finish() override { say({simulator::CommandKind::Finish, 0, 0}); }
 
  protected:

@@ -14,6 +14,7 @@ namespace {
 using simulator::Bone;
 using simulator::CutEvent;
 using simulator::CutEventKind;
+using simulator::FragmentPoses;
 using simulator::Recording;
 using simulator::ToolSample;
 
@@ -69,8 +70,12 @@ Traces traces_of(const Recording& recording, const Bone& bone, bool is_guided,
   const std::size_t count = recording.samples.size();
   const std::size_t stretch = std::max<std::size_t>(1, (count + points_max - 1) / points_max);
   std::optional<double> before_mm;  // the advance at the sample before, where that cut too
+  FragmentPoses fragments(bone.world_from_bone);
+  auto event = recording.events.begin();
   for (std::size_t index = 0; index < count; ++index) {
     const ToolSample& sample = recording.samples[index];
+    for (; event != recording.events.end() && event->tick <= sample.tick; ++event)
+      fragments.apply(*event);
     if (index % stretch == 0) {
       TracePoint point;
       point.time_s = second_from_tick(sample.tick);
@@ -80,9 +85,9 @@ Traces traces_of(const Recording& recording, const Bone& bone, bool is_guided,
     point.force_newton = std::max(point.force_newton, simulator::force_size_newton(sample));
     const std::optional<double> last_mm = std::exchange(before_mm, std::nullopt);
     if (sample.kerf < 0 || sample.kerf >= kerfs.count()) continue;
-    const simulator::FragmentPose& sawn = kerfs.fragments()[kerfs.fragment_of(sample.kerf)];
     const RigidTransform fragment_from_tool =
-        sawn.fragment_from_world * transform_from(sample.world_from_tool);
+        fragments[kerfs.fragment_of(sample.kerf)].fragment_from_world *
+        transform_from(sample.world_from_tool);
     point.advance_mm = planar_pose(kerfs.plane(sample.kerf), fragment_from_tool).tip_mm.x;
     if (!has(sample.status, simulator::ToolStatus::Cutting)) continue;
     before_mm = point.advance_mm;
@@ -95,9 +100,9 @@ Traces traces_of(const Recording& recording, const Bone& bone, bool is_guided,
   }
   traces.heat = effects.heat;
   traces.greatest_deflection_mm = effects.greatest_deflection_mm;
-  for (const CutEvent& event : recording.events) {
+  for (const CutEvent& said : recording.events) {
     for (const auto& [kind, text] : mark_texts)
-      if (kind == event.kind) traces.marks.push_back({second_from_tick(event.tick), text});
+      if (kind == said.kind) traces.marks.push_back({second_from_tick(said.tick), text});
   }
   return traces;
 }

@@ -132,12 +132,14 @@ bool DrilledWound::is_in_hole(const Vec3& point_in_wound_mm) const noexcept {
 }
 
 std::int32_t DrilledWound::points_in_bone_of(
-    std::int32_t number, std::span<const Vec3> points_in_wound_mm) const noexcept {
+    std::int32_t number, std::span<const Vec3> points_in_wound_mm,
+    std::span<OfFragments<TissueMemory>> memories) const noexcept {
   const WoundFragment& standing = *wound.fragment(number);
   const DrilledTissue tissue = drilled(number, standing);
   std::int32_t count = 0;
-  for (const Vec3& point : points_in_wound_mm) {
-    if (is_bone(tissue.at(standing.point_from(point)))) ++count;
+  for (std::size_t i = 0; i < points_in_wound_mm.size(); ++i) {
+    TissueMemory& memory = memories[i][static_cast<std::size_t>(number)];
+    if (is_bone(tissue.at(standing.point_from(points_in_wound_mm[i]), memory))) ++count;
   }
   return count;
 }

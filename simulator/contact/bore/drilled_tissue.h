@@ -69,14 +69,16 @@ struct DrilledWound {
                                        OfFragments<BallMemory>& memory) const noexcept;
   bool is_in_hole(const Vec3& point_in_wound_mm) const noexcept;
   /// The fragment with the most of these points in bone, of as many the first; -1: none of them.
-  /// counts   whether a fragment of that number is asked about
+  /// memories  one for each point
+  /// counts    whether a fragment of that number is asked about
   template <typename Counts>
   std::int32_t fragment_at(std::span<const Vec3> points_in_wound_mm,
+                           std::span<OfFragments<TissueMemory>> memories,
                            const Counts& counts) const noexcept {
     std::int32_t found = -1, most = 0;
     for (std::int32_t number = 0; number < fragment_limit; ++number) {
       if (wound.fragment(number) == nullptr || !counts(number)) continue;
-      const std::int32_t in_bone = points_in_bone_of(number, points_in_wound_mm);
+      const std::int32_t in_bone = points_in_bone_of(number, points_in_wound_mm, memories);
       if (in_bone > most) found = number;
       most = std::max(most, in_bone);
     }
@@ -87,8 +89,8 @@ struct DrilledWound {
   DrilledTissue drilled(std::int32_t number, const WoundFragment& standing) const noexcept {
     return {standing.tissue, holes[static_cast<std::size_t>(number)]};
   }
-  std::int32_t points_in_bone_of(std::int32_t number,
-                                 std::span<const Vec3> points_in_wound_mm) const noexcept;
+  std::int32_t points_in_bone_of(std::int32_t number, std::span<const Vec3> points_in_wound_mm,
+                                 std::span<OfFragments<TissueMemory>> memories) const noexcept;
 };
 
 }  // namespace hallux::simulator

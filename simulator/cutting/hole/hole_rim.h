@@ -1,5 +1,5 @@
 /// The rims at which a hole's cylinder meets a bone's skin, as closed lines on the skin: for
-/// drawing. Inside this corner only.
+/// drawing.
 #pragma once
 
 #include <vector>

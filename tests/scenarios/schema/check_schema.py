@@ -71,7 +71,7 @@ def read_all(files):
 
 def main(scenarios, tests):
     shipped = read_all(sorted(scenarios.glob("*.json")))
-    fixtures = read_all(tests / "format_2" / f"{name}.json" for name in ("chevron", "akin_2"))
+    fixtures = read_all(tests / "format_2" / f"{name}.json" for name in ("akin_2", "silver_2"))
     by_format = {format: {name: whole for name, whole in {**shipped, **fixtures}.items() if whole["format"] == format}
                  for format in (1, 2)}
     faults = {1: json.loads((tests / "planted_faults.json").read_text()),

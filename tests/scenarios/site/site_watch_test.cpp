@@ -33,7 +33,10 @@ struct Watched {
   void say(CutEventKind kind, std::int32_t step) {
     watch.apply(step_event(kind, step), site.kerfs);
   }
-  std::vector<HeldCut> held() { return watch.held(site.kerfs, {site.whole, site.bvh}); }
+  std::vector<HeldCut> held() {
+    const std::array wholes{simulator::SolidWithTree{site.whole, site.bvh}};
+    return watch.held(site.kerfs, wholes);
+  }
 
   BlockSite site;
   SiteWatch watch{site.scenario, site.plan};
@@ -92,6 +95,30 @@ TEST(SiteWatch, OfSeveralKerfsOfACutTheOneThatLeavesLeastCounts) {
   const HeldCut held = watched.held()[0];
   EXPECT_EQ(held.kerf, second);
   EXPECT_TRUE(held.is_through());
+}
+
+TEST(SiteWatch, OfACutWithAWindowAsksForTheSectionWithinIt) {
+  // The section is 33 mm long; what lies beyond its middle is to be sawn, by a blade as wide.
+  Watched watched(tests::along_scenario(17.5));
+  watched.site.plan.cuts[0].window = FaceWindow{{16.5, 0.0, 0.0}, {1.0, 0.0, 0.0}};
+  const std::int32_t kerf = watched.freeze(0);
+  watched.site.saw(kerf, 0.0, 14.0);
+  const HeldCut held = watched.held()[0];
+  EXPECT_NEAR(held.high_mm.y - held.low_mm.y, 16.5, 1.0e-6);
+  EXPECT_TRUE(held.is_through()) << "the other half is not asked for";
+}
+
+TEST(SiteWatch, WhatAKerfLeftWhenItsFragmentWasDividedStays) {
+  Watched watched(tests::along_scenario(40.0));
+  const std::int32_t kerf = watched.freeze(0);
+  watched.site.saw(kerf, 0.0, 3.0);
+  const double share = watched.held()[0].share;
+  CutEvent parted = step_event(CutEventKind::FragmentParted, 1);
+  parted.value = 0;
+  ASSERT_TRUE(watched.site.kerfs.apply(parted));
+  watched.watch.apply(parted, watched.site.kerfs);
+  EXPECT_EQ(watched.held()[0].share, share);
+  EXPECT_EQ(watched.held()[0].fragment, 0);
 }
 
 }  // namespace

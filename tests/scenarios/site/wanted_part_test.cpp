@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 #include "tests/scenarios/site/block_site.h"
@@ -43,10 +44,12 @@ class ASawnBlock : public testing::Test {
     return event.subject;
   }
   WantedPart wanted(std::vector<const PieceBody*> free, const std::vector<const Bvh*>& out = {}) {
-    const std::vector<HeldCut> held = watch_.held(site_.kerfs, {site_.whole, site_.bvh});
+    const std::array wholes{simulator::SolidWithTree{site_.whole, site_.bvh}};
+    const std::vector<HeldCut> held = watch_.held(site_.kerfs, wholes);
     const auto step =
         std::ranges::find(site_.scenario.steps, StepKind::Remove, &OperationStep::kind);
-    return wanted_part(*step, site_.plan, held, {{site_.whole, site_.bvh}, site_.kerfs, free, out});
+    const std::array fragments{FragmentInPieces{wholes.front(), site_.kerfs, free, out}};
+    return wanted_part(*step, site_.plan, held, fragments);
   }
 
   BlockSite site_{tests::along_scenario(40.0)};
@@ -119,9 +122,10 @@ TEST(WantedPart, IsTheWedgeOnceBothItsCutsAreBegun) {
   const Vec3 between_mm{entry_mm.x, 0.0, -5.0};
   const PieceBody wedge = piece_at(1, between_mm, {0.6, 12.0, 7.0});
   const auto wanted = [&] {
-    const std::vector<HeldCut> held = watch.held(site.kerfs, {site.whole, site.bvh});
-    const std::vector<const PieceBody*> free{&wedge};
-    return wanted_part(*step, site.plan, held, {{site.whole, site.bvh}, site.kerfs, free, {}});
+    const std::array wholes{simulator::SolidWithTree{site.whole, site.bvh}};
+    const std::vector<HeldCut> held = watch.held(site.kerfs, wholes);
+    const std::array fragments{FragmentInPieces{wholes.front(), site.kerfs, {&wedge}, {}}};
+    return wanted_part(*step, site.plan, held, fragments);
   };
   EXPECT_THAT(wanted().pieces, IsEmpty());
   saw(1);

@@ -67,8 +67,9 @@ TEST_P(TwinPieces, TheReplayTakesOutThePieceThatTheAttemptTookOut) {
   ASSERT_NE(attempt.stands(in_near_end), attempt.stands(in_far_end));
 
   const std::shared_ptr<const BoneHistory> history = attempt.history();
-  ASSERT_EQ(history->taken.size(), 1U);
-  const Bvh& body = *history->taken.front().body;
+  ASSERT_EQ(history->fragments.size(), 1U);
+  ASSERT_EQ(history->fragments[0].taken.size(), 1U);
+  const Bvh& body = *history->fragments[0].taken.front().body;
   EXPECT_EQ(body.contains(in_near_end), !attempt.stands(in_near_end));
   EXPECT_EQ(body.contains(in_far_end), !attempt.stands(in_far_end));
   EXPECT_FALSE(body.contains(in_middle));
@@ -78,14 +79,21 @@ TEST_P(TwinPieces, ARayFindsBoneWhereTheAttemptHasSome) {
   const TwinsAttempt attempt(GetParam());
   const std::shared_ptr<const BoneHistory> history = attempt.history();
   BoneMoment moment(*history);
-  const std::int64_t removed_tick = history->taken.at(0).tick;
+  const std::int64_t removed_tick = history->fragments[0].taken.at(0).tick;
+  const RigidTransform& world_from_bone = history->world_from_bones.front();
   const Vec3 up(0.0, 10.0, 0.0), down(0.0, -1.0, 0.0);
+  const auto hits = [&](const Vec3& place) {
+    return moment
+        .first_hit(transform_point(world_from_bone, place + up),
+                   transform_direction(world_from_bone, down))
+        .has_value();
+  };
   moment.move_to(removed_tick - 1);
-  EXPECT_TRUE(moment.first_hit(in_near_end + up, down).has_value());
-  EXPECT_TRUE(moment.first_hit(in_far_end + up, down).has_value());
+  EXPECT_TRUE(hits(in_near_end));
+  EXPECT_TRUE(hits(in_far_end));
   moment.move_to(removed_tick);
   for (const Vec3& place : {in_near_end, in_far_end, in_middle}) {
-    EXPECT_EQ(moment.first_hit(place + up, down).has_value(), attempt.stands(place)) << place.x;
+    EXPECT_EQ(hits(place), attempt.stands(place)) << place.x;
   }
 }
 
@@ -97,15 +105,15 @@ TEST_P(TwinPieces, TheKerfAtHandIsTheOneThatGrewLastAsFarAsItIsOpen) {
   EXPECT_FALSE(moment.kerf_at_hand());
   const auto at_hand = [&](std::int64_t tick) {
     moment.move_to(tick);
-    const std::optional<KerfOpening> kerf = moment.kerf_at_hand();
-    EXPECT_TRUE(kerf.has_value() && !kerf->opened_mm.empty()) << tick;
-    return kerf->plane.bone_from_kerf.translation_mm.x;
+    const std::optional<KerfAtHand> kerf = moment.kerf_at_hand();
+    EXPECT_TRUE(kerf.has_value() && !kerf->opening.opened_mm.empty()) << tick;
+    return kerf->opening.plane.bone_from_kerf.translation_mm.x;
   };
   const std::int64_t second = history->kerfs.at(1).ticks.front();
   EXPECT_NEAR(at_hand(history->kerfs.at(0).ticks.front()), -6.0, 1.0e-3);
   EXPECT_NEAR(at_hand(second - 1), -6.0, 1.0e-3) << "away from it, it stays the last";
   EXPECT_NEAR(at_hand(second), 6.0, 1.0e-3);
-  EXPECT_NEAR(at_hand(history->taken.at(0).tick + 1), 6.0, 1.0e-3);
+  EXPECT_NEAR(at_hand(history->fragments[0].taken.at(0).tick + 1), 6.0, 1.0e-3);
 }
 
 INSTANTIATE_TEST_SUITE_P(BoneHistory, TwinPieces, testing::Values(1, 2));

@@ -14,9 +14,9 @@ class Scenarios(CommandTest):
 
     def test_the_list_says_whether_a_surgeon_reviewed(self):
         rows = self.ask("scenario", "list")
-        self.assertEqual([row["name"] for row in rows], ["akin", "silver"])
+        self.assertEqual([row["name"] for row in rows], ["akin", "chevron", "silver"])
         self.assertEqual(rows[0]["title"], "Akin osteotomy, right hallux")
-        self.assertEqual(rows[1]["title"], "Silver exostectomy")
+        self.assertEqual(rows[2]["title"], "Silver exostectomy")
         for row in rows:
             self.assertIs(row["reviewed"], False)
         self.assertIn("not surgeon-reviewed", self.hallux("scenario", "list").out)

@@ -19,8 +19,11 @@ SHORT_PIXELS, SLOW_STEP_PIXELS, FAST_STEP_PIXELS, STEP_S = 30, 2, 10, "0.02"
 SEEN_S, REST_S, STILL_S = 4.0, 1.5, 0.5
 # Of a question: as many keys until its button has the focus, as many clicks until it is heard.
 TABS_AT_MOST, CLICKS_AT_MOST = 8, 5
-# The button of a pause.
+# The button of a pause, the way out of the tray, and how a tool of it is named.
 PAUSED = "operate.go_on"
+TRAY_KEPT, TRAY_TOOL = "operate.tray.keep", re.compile(r"operate\.tray\.\d+$")
+# Steps of the ring from any tool of the tray to any other.
+ARROWS_AT_MOST = 40
 # How often a hand slips.
 SLIPS_SHARE = 0.04
 
@@ -29,8 +32,16 @@ KEYS = {"Left": "Left", "Right": "Right", "Up": "Up", "Down": "Down", "Page up":
 
 
 def chord_of(words):
-    """"Shift+Ctrl+Page up" as xdotool says it."""
-    return "+".join(KEYS.get(part, part) for part in words.split("+"))
+    """"Shift+Ctrl+Page up" as xdotool says it; the key B writes a small b."""
+    return "+".join(KEYS.get(part, part.lower()) for part in words.split("+"))
+
+
+def arrow_from(here, there):
+    """First to the row, then along it."""
+    down = there["y"] - here["y"]
+    if abs(down) > here["h"] / 2:
+        return "Down" if down > 0 else "Up"
+    return "Right" if there["x"] > here["x"] else "Left"
 
 
 class Screen:
@@ -54,6 +65,14 @@ class Screen:
 
     def is_asked(self):
         return any(name.endswith(".keep") for name in self.widgets)
+
+    def is_tray_open(self):
+        return TRAY_KEPT in self.widgets
+
+    def tool_of_tray(self, words):
+        """The name of the tool that the hint asks for; None where it asks for none that lies there."""
+        tools = {each["label"]: name for name, each in self.widgets.items() if TRAY_TOOL.match(name)}
+        return next((name for label, name in tools.items() if f": {label}." in words), None)
 
     def look_until(self, is_so):
         """What was done is soon seen, or was not heard."""
@@ -103,6 +122,21 @@ class KeyboardHand:
                 return True
         return False
 
+    def take(self, name, screen):
+        """A tool of the tray, to which arrows lead; the ring begins at the tool in the hand."""
+        for _ in range(ARROWS_AT_MOST):
+            at = self.person.focus()
+            if at == name:
+                self.person.press_slowly("Return")
+                return screen.look_until(lambda: not screen.is_tray_open())
+            if at not in screen.widgets or not TRAY_TOOL.match(at):
+                key = "Tab"
+            else:
+                key = arrow_from(screen.widgets[at], screen.widgets[name])
+            self.person.press_slowly(key)
+            screen.look_until(lambda at=at: self.person.focus() != at)
+        return None
+
     def slip(self, chance):
         self.person.press_slowly(chance.choice(["Left", "Right", "Up", "Down", "Next", "ctrl+Left", "ctrl+Up"]))
 
@@ -114,6 +148,8 @@ class MouseHand:
     PIXELS, NOTCHES = 3.5, 1.0
     WAYS = {"left": (-1, 0), "right": (1, 0), "up": (0, -1), "down": (0, 1)}
     AWAY, TOWARDS = "4", "5"
+    BUTTONS = {"tray": "operate.tray.open", "forceps": "operate.forceps", "drive home": "operate.drive_home",
+               "last button": "operate.leave_or_take"}
 
     def __init__(self, person):
         self.person = person
@@ -168,17 +204,29 @@ class MouseHand:
             self.person.xdotool(*words)
 
     def turn_wheel(self, words, notches):
-        is_held = "left button" in words
+        is_held, has_alt = "left button" in words, "Alt" in words
         if is_held:
             self.person.xdotool("mousedown", "1")
+        if has_alt:
+            self.person.xdotool("keydown", "alt")
         self.person.xdotool("click", "--repeat", str(notches), "--delay", "25", self.AWAY if "away" in words else self.TOWARDS)
+        if has_alt:
+            self.person.xdotool("keyup", "alt")
         if is_held:
             self.person.xdotool("mouseup", "1")
 
+    def take(self, name, screen):
+        """A tool of the tray; then the hand is put on it again."""
+        self.person.click(name)
+        screen.look_until(lambda: not screen.is_tray_open())
+        self.set_down(screen)
+
     def press_button(self, words, screen):
-        """The step's button, or the number of a step that can be taken up again; then the hand is put on the saw again."""
+        """A button of the tool or of the step, or the number of a step that can be taken up again; then the hand is put on the
+        tool again, but for the tray."""
         number = re.search(r"number (\d+)", words)
-        name = f"operate.step.{number[1]}" if number else "operate.step"
+        name = next((each for part, each in self.BUTTONS.items() if part in words),
+                    f"operate.step.{number[1]}" if number else "operate.step")
         if not screen.says_lifted():
             self.person.xdotool("click", "3")
             screen.look_until(screen.says_lifted)
@@ -219,6 +267,8 @@ class Novice:
         self.screen = Screen(person)
         self.chance = random.Random(seed) if seed is not None else None
         self.last_clock_s = 0
+        # The tray lies over the hints: what it was opened for is remembered.
+        self.last_words = ""
         self.wrong_turns = WrongTurns()
 
     def hint_words(self):
@@ -235,9 +285,14 @@ class Novice:
         return self.last_clock_s
 
     def answer_question(self):
-        """A question that nobody meant to raise is answered by its safe side, which has the focus."""
+        """The tray gives what was asked for; a question that nobody meant to raise is answered by its safe side, which has
+        the focus."""
         if not self.screen.is_asked():
             return False
+        tool = self.screen.tool_of_tray(self.last_words)
+        if self.screen.is_tray_open() and tool:
+            self.hand.take(tool, self.screen)
+            return True
         self.person.press("Escape")
         time.sleep(LOOK_S)
         return True
@@ -267,6 +322,7 @@ class Novice:
                 return True
             words = self.hint_words()
             hint = read_hint(words)
+            self.last_words = words or self.last_words
             if words != last:
                 self.say(f"{self.clock_s():4d} s  {words}")
                 last = words

@@ -3,7 +3,8 @@
 with mouse or keyboard. Time on the attempt's clock and wrong turns are printed. Of an operation that came to its end the score
 must say that it was done: no gate on a deed is set off.
 
-usage: novice_check.py HALLUX --card N --hand mouse|keyboard [--to-first-cut] [--seeds 1,2,3] [--retell blank|exchanged]
+usage: novice_check.py HALLUX --card N --hand mouse|keyboard [--to-first-cut] [--seeds 1,2,3] [--limit S] [--wrong-turns N]
+                       [--retell blank|exchanged]
                        [--pictures FOLDER]
        novice_check.py HALLUX --flight --hand mouse|keyboard ...
 
@@ -26,7 +27,7 @@ from window_check import opened_course, rows_of, wait_until
 HANDS = {"mouse": MouseHand, "keyboard": KeyboardHand}
 LIMIT_S, MOST_WRONG_TURNS, PATIENCE_S = 240, 3, 150.0
 # The question at the end, and the gates that say what was not done.
-FINISHED, DEEDS = "operate.ask_finish.act", ("piece_out", "wedge_closed")
+FINISHED, DEEDS = "operate.ask_finish.act", ("piece_out", "wedge_closed", "eminence_out")
 # So long somebody is misled.
 MISLED_S = 90
 # A machine without a GPU that does much else is slower than the attempt's clock.
@@ -113,7 +114,7 @@ def attempt(options, seed):
             return FINISHED in screen.widgets
 
         begun = time.monotonic()
-        limit_s = MISLED_S if options.retell else LIMIT_S
+        limit_s = MISLED_S if options.retell else options.limit
         has_ended = novice.operate(is_over, limit_s, SLOWEST * limit_s)
         what = "flight" if options.flight else f"card {options.card}"
         course.take_picture(f"{options.hand}-{what}-{seed}")
@@ -121,7 +122,7 @@ def attempt(options, seed):
               f" {novice.clock_s()} s on the clock ({time.monotonic() - begun:.0f} s), {novice.wrong_turns.count} wrong turns")
         if has_ended and not (options.flight or options.to_first_cut):
             has_ended = is_operated(options, course, novice)
-        return has_ended and novice.wrong_turns.count <= MOST_WRONG_TURNS
+        return has_ended and novice.wrong_turns.count <= options.wrong_turns
 
 
 def main():
@@ -132,6 +133,8 @@ def main():
     parser.add_argument("--hand", choices=HANDS, default="keyboard")
     parser.add_argument("--to-first-cut", action="store_true")
     parser.add_argument("--seeds", default="")
+    parser.add_argument("--limit", type=int, default=LIMIT_S, help="seconds of the attempt's clock")
+    parser.add_argument("--wrong-turns", type=int, default=MOST_WRONG_TURNS)
     parser.add_argument("--retell", choices=RETELLINGS, default="")
     parser.add_argument("--pictures", type=pathlib.Path)
     options = parser.parse_args()

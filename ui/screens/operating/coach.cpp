@@ -9,10 +9,13 @@
 #include <span>
 
 #include "scenarios/planned_guide.h"
+#include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/elementary.h"
 #include "simulator/base/units.h"
+#include "ui/screens/operating/fixation_hints.h"
 #include "ui/screens/operating/hand/steering.h"
 #include "ui/screens/operating/hud/operating_hud.h"
+#include "ui/screens/operating/levers.h"
 
 namespace hallux::ui {
 
@@ -22,10 +25,11 @@ using scenarios::HeldCut;
 using scenarios::PlannedCut;
 using scenarios::PlannedPasses;
 using scenarios::StepKind;
-using Led = simulator::SteeredDevice::Led;
 
 /// Within these nothing more is asked.
 constexpr double tilt_good_rad = 0.0079, offset_good_mm = 0.25, along_good_mm = 0.5;
+/// A push that would move the blade, were it free.
+constexpr double caught_newton = 2.0;
 /// What is left of a cut is to lie so far inside the ends of the tooth line.
 constexpr double inside_mm = 0.75;
 /// Nearer to bone the saw is not moved aside, and may be a little less right: who aimed well in air
@@ -40,13 +44,13 @@ constexpr double gentle_from_mm = 3.0, before_hinge_mm = 0.5, done_mm = 0.15;
 constexpr double strip_mm = 1.2;
 /// Beyond what holds deepest the teeth go so far before the stroke counts as through.
 constexpr double crumb_mm = 0.3;
-/// Of a key's step: below, Shift is held.
-constexpr double fine_below = 0.6;
 constexpr double at_bone_mm = 0.6, pushed_at_once_mm = 4.0;
 /// Where the best move mends less, the view looks along what is to be mended.
 constexpr double least_mended_share = 0.02;
 /// A turn in the face counts less: no read-out tells it.
 constexpr double yaw_weight = 0.5;
+/// From here on a turn is far.
+constexpr double far_off_rad = 0.5;
 
 /// Where the middle of the blade is to lie; the normal looks to the waste.
 struct GoalPlane {
@@ -65,53 +69,14 @@ struct Aim {
   const scenarios::PlannedHinge* hinge = nullptr;
 };
 
-/// One move, and what a step of it does to the errors.
-template <std::size_t count>
-struct Lever {
-  HandMove more, less;
-  std::array<double, count> change;
-};
-
-/// The move that leaves least of the errors, how much of it, and what share of them it mends.
-struct Chosen {
-  HandMove move = HandMove::Wait;
-  double amount = 0.0, mended_share = 0.0;
-};
-
-template <std::size_t count>
-Chosen best_move(const std::array<double, count>& errors, std::span<const Lever<count>> levers) {
-  Chosen chosen;
-  double most = 0.0, all = 0.0;
-  for (const double error : errors) all += error * error;
-  for (const Lever<count>& lever : levers) {
-    double along = 0.0, size = 0.0;
-    for (std::size_t i = 0; i < count; ++i) {
-      along += errors[i] * lever.change[i];
-      size += lever.change[i] * lever.change[i];
-    }
-    if (!(size > 1.0e-6) || along * along / size <= most) continue;
-    most = along * along / size;
-    const double amount = -along / size;
-    chosen = {amount > 0.0 ? lever.more : lever.less, std::abs(amount), most / all};
-  }
-  return chosen;
-}
-
-/// As key presses: fine ones where little is left.
-void set_amount(Hint& hint, const Chosen& chosen, double key_step) {
-  hint.move = chosen.move;
-  hint.is_fine = chosen.amount < fine_below * key_step;
-  const double step = hint.is_fine ? simulator::fine_share * key_step : key_step;
-  hint.times = std::max(1, static_cast<int>(std::lround(chosen.amount / step)));
-}
-
 GoalPlane goal_of(const CoachView& view, const PlannedCut& cut, const HeldCut* held) {
   const Vec3& waste = cut.face.normal;
   if (held == nullptr || !held->is_begun())
-    return {waste, cut.face.offset_mm + 0.5 * view.scenario.saw.blade.kerf_mm};
-  const Vec3 normal = axis_z(held->bone_from_kerf);
+    return {waste, cut.face.offset_mm + 0.5 * blade_of(view).kerf_mm};
+  const RigidTransform bone_from_kerf = held->bone_from_kerf_now();
+  const Vec3 normal = axis_z(bone_from_kerf);
   const Vec3 to_waste = glm::dot(normal, waste) < 0.0 ? -normal : normal;
-  return {to_waste, glm::dot(to_waste, held->bone_from_kerf.translation_mm)};
+  return {to_waste, glm::dot(to_waste, bone_from_kerf.translation_mm)};
 }
 
 double nearest_middle_mm(const PlannedPasses& passes, double wanted_mm) {
@@ -130,7 +95,7 @@ double middle_of_pass(const CoachView& view, const PlannedCut& cut, const Planne
   if (held == nullptr || !held->is_begun())
     return nearest_middle_mm(passes, along_mm(view.bone_from_tool.translation_mm));
   const double deepest_mm = along_mm(held->deepest_in_bone_mm);
-  const double reach_mm = 0.5 * view.scenario.saw.blade.width_mm - inside_mm;
+  const double reach_mm = 0.5 * blade_of(view).width_mm - inside_mm;
   return std::clamp(nearest_middle_mm(passes, deepest_mm), deepest_mm - reach_mm,
                     deepest_mm + reach_mm);
 }
@@ -166,30 +131,57 @@ Tilt tilt_off(const CoachView& view, const Aim& aim) {
   return tilt;
 }
 
-std::optional<Hint> tilt_hint(const CoachView& view, const Aim& aim, const PlanReading& reading,
-                              double slack) {
-  const Tilt off = tilt_off(view, aim);
-  if (std::hypot(off.pitch_rad, off.roll_rad) < slack * tilt_good_rad) return std::nullopt;
+/// From the blade as it is held to the blade as it is to lie: axis times angle [rad], bone frame.
+Vec3 turn_left(const CoachView& view, const Aim& aim, double side) {
+  const Vec3 normal = side * aim.goal.normal;
+  const Vec3 feed =
+      unit(aim.passes.feed_in_bone - glm::dot(aim.passes.feed_in_bone, normal) * normal);
+  const Quat goal = rotation_from_axes(feed, glm::cross(normal, feed));
+  Quat turn = goal * glm::conjugate(view.bone_from_tool.rotation);
+  if (turn.w < 0.0) turn = -turn;
+  const Vec3 axis(turn.x, turn.y, turn.z);
+  const double sine = length_of(axis);
+  return sine > 0.0 ? 2.0 * elementary::atan2(sine, turn.w) / sine * axis : axis;
+}
+
+/// The read-outs bend where much is left to turn: there the whole turn is made less.
+Chosen best_turn(const CoachView& view, const Aim& aim, const Tilt& off) {
+  const auto in_bone = [&](const Vec3& axis_in_view) { return view.bone_from_view * axis_in_view; };
+  const Vec3 right = in_bone(Vec3(1.0, 0.0, 0.0)), up = in_bone(Vec3(0.0, 1.0, 0.0)),
+             near = in_bone(Vec3(0.0, 0.0, 1.0));
+  const auto levers_of = [&](const auto& change_of) {
+    return std::array<Lever<3>, 3>{{{HandMove::TurnRight, HandMove::TurnLeft, change_of(up)},
+                                    {HandMove::TurnDown, HandMove::TurnUp, change_of(right)},
+                                    {HandMove::RollLeft, HandMove::RollRight, change_of(near)}}};
+  };
+  const Vec3 left = turn_left(view, aim, off.side);
+  if (length_of(left) > far_off_rad) {
+    const auto levers = levers_of([](const Vec3& axis) {
+      return std::array<double, 3>{-axis.x, -axis.y, -axis.z};
+    });
+    return best_move<3>({left.x, left.y, left.z}, levers);
+  }
   const Vec3 feed = axis_x(view.bone_from_tool), along = axis_y(view.bone_from_tool);
-  const auto change_of = [&](const Vec3& axis_in_view) {
-    const Vec3 axis = view.bone_from_view * axis_in_view;
+  const auto levers = levers_of([&](const Vec3& axis) {
     return std::array<double, 3>{
         glm::dot(aim.goal.normal, glm::cross(axis, feed)),
         off.side * glm::dot(aim.goal.normal, glm::cross(axis, along)),
         yaw_weight * glm::dot(aim.passes.along_in_bone, glm::cross(axis, feed))};
-  };
-  const std::array<Lever<3>, 3> levers{
-      {{HandMove::TurnRight, HandMove::TurnLeft, change_of(Vec3(0.0, 1.0, 0.0))},
-       {HandMove::TurnDown, HandMove::TurnUp, change_of(Vec3(1.0, 0.0, 0.0))},
-       {HandMove::RollLeft, HandMove::RollRight, change_of(Vec3(0.0, 0.0, 1.0))}}};
+  });
+  return best_move<3>({off.pitch_rad, off.roll_rad, yaw_weight * off.yaw_rad}, levers);
+}
+
+std::optional<Hint> tilt_hint(const CoachView& view, const Aim& aim, const PlanReading& reading,
+                              double slack) {
+  const Tilt off = tilt_off(view, aim);
+  if (std::hypot(off.pitch_rad, off.roll_rad) < slack * tilt_good_rad) return std::nullopt;
   Hint hint{.text_id = "operate.hint.tilt"};
   hint.values = {{"pitch", degree_text(reading.pitch_rad)},
                  {"roll", degree_text(reading.roll_rad)},
                  {"pitch_goal", degree_text(reading.pitch_rad - off.pitch_rad)},
                  {"roll_goal", degree_text(reading.roll_rad - off.roll_rad)}};
   hint.read_outs = {"plan.pitch", "plan.roll"};
-  const std::array errors{off.pitch_rad, off.roll_rad, yaw_weight * off.yaw_rad};
-  set_amount(hint, best_move<3>(errors, levers), key_turn_rad);
+  set_amount(hint, best_turn(view, aim, off), key_turn_rad);
   return hint;
 }
 
@@ -251,8 +243,7 @@ bool is_through(const Aim& aim) { return aim.held != nullptr && aim.held->is_thr
 bool is_deepest_ahead(const CoachView& view, const Aim& aim) {
   if (aim.held == nullptr) return true;
   const Vec3 away_mm = aim.held->deepest_in_bone_mm - view.bone_from_tool.translation_mm;
-  return std::abs(glm::dot(aim.passes.along_in_bone, away_mm)) <
-         0.5 * view.scenario.saw.blade.width_mm;
+  return std::abs(glm::dot(aim.passes.along_in_bone, away_mm)) < 0.5 * blade_of(view).width_mm;
 }
 
 /// Of the bone ahead, what is to be sawn: on to the far side, or to just before the hinge. Nothing
@@ -292,12 +283,6 @@ Hint stroke_hint(const CoachView& view, const Aim& aim) {
   return push_hint(view, usual_push, left);
 }
 
-Hint saw_on_hint() {
-  Hint hint{.text_id = "operate.hint.saw_on"};
-  hint.move = HandMove::SwitchSaw;
-  return hint;
-}
-
 Hint approach_hint(double to_bone_mm) {
   Hint hint{.text_id = "operate.hint.approach"};
   hint.values = {{"way", decimal_text(to_bone_mm) + " mm"}};
@@ -308,25 +293,43 @@ Hint approach_hint(double to_bone_mm) {
   return hint;
 }
 
-Hint press_hint(std::string_view text_id) {
-  Hint hint{.text_id = text_id};
-  hint.move = HandMove::PressStep;
-  hint.read_outs = {"step"};
+/// Pushed, and yet the teeth touch nothing: a face of the blade rests on the rim of its own kerf.
+bool is_caught(const CoachView& view, const Aim& aim) {
+  return aim.held != nullptr && aim.held->is_begun() && !view.is_touching &&
+         view.force_newton > caught_newton;
+}
+
+/// Across the kerf by a little, under the push: there the blade finds its slot.
+Hint caught_hint(const CoachView& view, const Aim& aim) {
+  const double off_mm =
+      glm::dot(aim.goal.normal, view.bone_from_tool.translation_mm) - aim.goal.offset_mm;
+  const auto across = [&](const Vec3& axis_in_view) {
+    return std::array{glm::dot(aim.goal.normal, view.bone_from_view * axis_in_view)};
+  };
+  const std::array<Lever<1>, 2> levers{
+      {{HandMove::Right, HandMove::Left, across(Vec3(1.0, 0.0, 0.0))},
+       {HandMove::Up, HandMove::Down, across(Vec3(0.0, 1.0, 0.0))}}};
+  Hint hint{.text_id = "operate.hint.caught"};
+  hint.read_outs = {"plan.distance"};
+  Chosen chosen = best_move<1>({off_mm}, levers);
+  chosen.amount = simulator::fine_share * key_step_mm;
+  set_amount(hint, chosen, key_step_mm);
   return hint;
 }
 
 /// Outside a kerf: first out of the bone's way, then tilt, place, saw, and on to the bone.
 Hint aiming_hint(const CoachView& view, const Aim& aim) {
-  const PlanReading reading = read_against(aim.cut, view.scenario.saw.blade, view.bone_from_tool);
+  const PlanReading reading = read_against(aim.cut, blade_of(view), view.bone_from_tool);
   const simulator::BladeAhead& ahead = view.site->ahead;
   const bool is_at_bone = ahead.beside_mm < clear_mm;
   const double slack = is_at_bone ? slack_at_bone : 1.0;
+  if (is_caught(view, aim)) return caught_hint(view, aim);
   const std::optional<Hint> tilt = tilt_hint(view, aim, reading, slack);
   const std::optional<Hint> place = place_hint(view, aim, reading, slack);
   if ((tilt || place) && is_at_bone) return draw_back_hint("operate.hint.clear", 3.0);
   if (tilt) return *tilt;
   if (place) return *place;
-  if (!view.is_saw_on) return saw_on_hint();
+  if (!view.is_saw_on) return switch_hint("operate.hint.saw_on");
   const double depth_mm = read_passes(aim.cut, aim.passes, view.bone_from_tool).depth_mm;
   if (!ahead.to_bone_mm && depth_mm > out_mm && !is_crumb_ahead(view, aim))
     return draw_back_hint("operate.hint.clear", depth_mm - out_mm + 1.0);
@@ -337,7 +340,8 @@ Hint aiming_hint(const CoachView& view, const Aim& aim) {
 
 Hint cut_hint(const CoachView& view, const PlannedCut& cut) {
   const Aim aim = aim_at(view, cut);
-  if (view.is_in_kerf && !is_through(aim) && !view.is_saw_on) return saw_on_hint();
+  if (view.is_in_kerf && !is_through(aim) && !view.is_saw_on)
+    return switch_hint("operate.hint.saw_on");
   if (view.is_in_kerf) return stroke_hint(view, aim);
   if (is_through(aim)) return press_hint("operate.hint.cut_done");
   return aiming_hint(view, aim);
@@ -364,8 +368,7 @@ Hint take_up_hint(const CoachView& view, std::size_t step) {
 
 /// Nothing where the pieces are known and nothing that holds is seen: why the button is off tells
 /// that.
-std::optional<Hint> removal_hint(const CoachView& view) {
-  if (view.steps.is_ready()) return press_hint("operate.hint.take_out");
+std::optional<Hint> freeing_hint(const CoachView& view) {
   if (view.is_in_kerf) return draw_back_hint("operate.hint.draw_out", 30.0);
   if (const std::optional<std::size_t> held = step_that_holds(view))
     return take_up_hint(view, *held);
@@ -373,65 +376,50 @@ std::optional<Hint> removal_hint(const CoachView& view) {
   return Hint{.text_id = "operate.hint.wait"};
 }
 
-/// A move in words: by keys, by the mouse, and by the hand that holds a device.
-struct MoveTexts {
-  HandMove move;
-  std::string_view keys_id, mouse_id;
-  std::string_view hand_id = {};
-  /// A device that turns nothing itself is turned by the window.
-  bool is_turn = false;
-};
-
-constexpr std::array<MoveTexts, 18> move_texts{{
-    {HandMove::Left, "move.left.keys", "move.left.mouse", "move.left.hand"},
-    {HandMove::Right, "move.right.keys", "move.right.mouse", "move.right.hand"},
-    {HandMove::Up, "move.up.keys", "move.up.mouse", "move.up.hand"},
-    {HandMove::Down, "move.down.keys", "move.down.mouse", "move.down.hand"},
-    {HandMove::Push, "move.push.keys", "move.push.mouse", "move.push.hand"},
-    {HandMove::DrawBack, "move.draw_back.keys", "move.draw_back.mouse", "move.draw_back.hand"},
-    {HandMove::TurnLeft, "move.turn_left.keys", "move.turn_left.mouse", "move.turn_left.hand",
-     true},
-    {HandMove::TurnRight, "move.turn_right.keys", "move.turn_right.mouse", "move.turn_right.hand",
-     true},
-    {HandMove::TurnUp, "move.turn_up.keys", "move.turn_up.mouse", "move.turn_up.hand", true},
-    {HandMove::TurnDown, "move.turn_down.keys", "move.turn_down.mouse", "move.turn_down.hand",
-     true},
-    {HandMove::RollLeft, "move.roll_left.keys", "move.roll_left.mouse", "move.roll_left.hand",
-     true},
-    {HandMove::RollRight, "move.roll_right.keys", "move.roll_right.mouse", "move.roll_right.hand",
-     true},
-    {HandMove::SwitchSaw, "move.saw.keys", "move.saw.mouse"},
-    {HandMove::LookAround, "move.look.keys", "move.look.mouse"},
-    {HandMove::ResetView, "move.reset_view.keys", "move.reset_view.mouse"},
-    {HandMove::PressStep, "move.step.keys", "move.step.mouse"},
-    {HandMove::TakeUpStep, "move.take_up.keys", "move.take_up.mouse"},
-    {HandMove::Wait, "move.wait", "move.wait"},
-}};
-
-/// The hand on the device makes it, not keys and mouse.
-bool is_by_hand(const MoveTexts& move, Led led) noexcept {
-  if (led == Led::Pose || move.hand_id.empty()) return false;
-  return led == Led::Nothing || !move.is_turn;
+std::optional<Hint> removal_hint(const CoachView& view) {
+  if (view.steps.is_ready()) return press_hint("operate.hint.take_out");
+  return freeing_hint(view);
 }
 
-std::string keys_text(const Texts& texts, const Hint& hint, const MoveTexts& move) {
-  std::string keys;
-  if (hint.is_fine) keys = std::string(texts.text("key.shift")) + "+";
-  keys += texts.text(move.keys_id);
-  if (hint.times == 1) return keys;
-  return texts.say("operate.hint.times", {{"keys", keys}, {"count", std::to_string(hint.times)}});
+/// Of a step that is done by a word; empty for the others.
+std::string_view word_of(StepKind kind) noexcept {
+  switch (kind) {
+    case StepKind::Verify:
+      return "operate.hint.verify";
+    case StepKind::Close:
+      return "operate.hint.close";
+    case StepKind::Finish:
+      return "operate.hint.finish";
+    case StepKind::Mark:
+      return "operate.hint.mark";
+    case StepKind::Retract:
+      return "operate.hint.retract";
+    case StepKind::Complete:
+      return "operate.hint.complete";
+    default:
+      return {};
+  }
+}
+
+bool is_of_implants(StepKind kind) noexcept {
+  return kind == StepKind::GuideWire || kind == StepKind::TemporaryWire || kind == StepKind::Fix;
+}
+
+/// While no fragment is free, the cut that holds it.
+std::optional<Hint> shift_step_hint(const CoachView& view) {
+  if (const std::optional<Hint> hint = shift_hint(view)) return hint;
+  return freeing_hint(view);
+}
+
+/// The planned blade comes into the hand, and wires that are done with come out first.
+std::optional<Hint> hand_hint(const CoachView& view, const PlannedCut& cut) {
+  if (view.tools == nullptr || view.tools->tray().size() < 2 || view.is_in_kerf)
+    return std::nullopt;
+  if (const std::optional<Hint> wire = temporary_wire_hint(view)) return wire;
+  return tool_hint(view, blade_place(cut));
 }
 
 }  // namespace
-
-Hint draw_back_hint(std::string_view text_id, double way_mm) {
-  Hint hint{.text_id = text_id};
-  hint.values = {{"way", decimal_text(std::max(0.0, way_mm)) + " mm"}};
-  hint.move = HandMove::DrawBack;
-  hint.times = std::clamp(static_cast<int>(std::ceil(way_mm)), 1, 30);
-  hint.read_outs = {"ahead"};
-  return hint;
-}
 
 const PlannedCut* cut_of_step(const CoachView& view) {
   return cut_at_step(view.scenario, view.plan, view.steps.step());
@@ -450,27 +438,22 @@ std::optional<Hint> next_hint(const CoachView& view) {
   if (view.is_paused) return std::nullopt;
   const std::optional<StepKind> kind = view.steps.kind();
   if (!kind || view.steps.is_waiting()) return std::nullopt;
-  if (*kind == StepKind::Verify) return press_hint("operate.hint.verify");
-  if (*kind == StepKind::Close) return press_hint("operate.hint.close");
-  if (*kind == StepKind::Finish) return press_hint("operate.hint.finish");
+  if (const std::string_view word = word_of(*kind); !word.empty()) return press_hint(word);
   if (view.site == nullptr) return std::nullopt;
   if (*kind == StepKind::Remove) return removal_hint(view);
+  if (view.tools != nullptr && !view.tools->tray().empty()) {
+    if (is_of_implants(*kind)) return implant_hint(view);
+    if (*kind == StepKind::Shift) return shift_step_hint(view);
+  }
   const PlannedCut* cut = cut_of_step(view);
-  return cut == nullptr ? std::nullopt : std::optional(cut_hint(view, *cut));
+  if (cut == nullptr) return std::nullopt;
+  if (const std::optional<Hint> hint = hand_hint(view, *cut)) return hint;
+  return cut_hint(view, *cut);
 }
 
-std::string hint_text(const Texts& texts, const Hint& hint, Led led) {
-  std::string what = texts.say(hint.text_id, hint.values);
-  const auto* move = std::find_if(move_texts.begin(), move_texts.end(),
-                                  [&](const MoveTexts& each) { return each.move == hint.move; });
-  if (move == move_texts.end() || hint.move == HandMove::Wait) return what;
-  if (is_by_hand(*move, led)) {
-    return what + " " +
-           texts.say("operate.hint.by_hand", {{"hand", std::string(texts.text(move->hand_id))}});
-  }
-  return what + " " +
-         texts.say("operate.hint.by", {{"keys", keys_text(texts, hint, *move)},
-                                       {"mouse", texts.say(move->mouse_id, hint.values)}});
+const simulator::Blade& blade_of(const CoachView& view) noexcept {
+  const simulator::Saw* const saw = view.tools == nullptr ? nullptr : view.tools->saw();
+  return saw == nullptr ? view.scenario.saw.blade : saw->blade;
 }
 
 }  // namespace hallux::ui

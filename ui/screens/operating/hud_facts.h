@@ -42,10 +42,10 @@ OperatingHud hud_of(const HudSources& from, bool is_hinted);
 /// "Still held: 15 % of the section, plantar-distal."
 std::string held_text(const Texts& texts, const scenarios::HeldCut& held);
 
-/// The words about a step that did not come off, as ids of texts.
+/// The words about what did not come off, as ids of texts.
 struct NoticeTexts {
   std::string_view title, detail;
 };
-NoticeTexts notice_texts(StepNotice notice) noexcept;
+NoticeTexts notice_texts(Notice notice) noexcept;
 
 }  // namespace hallux::ui

@@ -187,6 +187,7 @@ Answer draw_end_question(Ui& ui, Asked asked, const std::string& held) {
                        text("operate.ask.abandon.act"), text("operate.ask.keep"), true,
                        text("operate.ask.leave.finish")});
     case Asked::Abandon:
+    case Asked::Tool:
     case Asked::Nothing:
       break;
   }

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "scenarios/planned_guide.h"
+#include "scenarios/tray/laid_out_tools.h"
 #include "ui/jobs/devices/device_sentences.h"
+#include "ui/screens/operating/fixation_hints.h"
 #include "ui/screens/operating/hand/rail_of_step.h"
 
 namespace hallux::ui {
@@ -28,12 +30,17 @@ std::string text_in(const Ui& ui, std::string_view id) { return std::string(ui.t
 
 // -- before
 
-void OperatingField::make_ready(PreparedOperation prepared,
-                                std::vector<scenarios::StepKind> steps) {
+void OperatingField::make_ready(PreparedOperation prepared) {
+  StepProgress steps(prepared.prepared_case->scenario);
+  make_ready(std::move(prepared), std::move(steps));
+}
+
+void OperatingField::make_ready(PreparedOperation prepared, StepProgress steps) {
   prepared_ = std::move(prepared);
   viewport_.face(prepared_case());
   session_.make_ready(std::move(steps),
-                      LedSaw(start_pose(prepared_case()), start_camera(prepared_case()).target_mm));
+                      LedSaw(start_pose(prepared_case()), start_camera(prepared_case()).target_mm),
+                      ToolsInHand(laid_out_tools(prepared_case().scenario)));
 }
 
 void OperatingField::run(const std::string& name, CommandedLoop& loop,
@@ -57,6 +64,7 @@ void OperatingField::hear(Ui& ui, Shell& shell) {
                  ui.time_s());
   if (session_.is_heard()) {
     hear_keys(ui);
+    if (session_.tools().tray().size() > 1) hear_tool_keys(ui);
     hear_display_keys(ui, shell);
   }
   Steered steered;
@@ -83,6 +91,32 @@ void OperatingField::hear_keys(Ui& ui) {
   if (heard(Key::Escape, "operate.key.escape")) session_.pause(PausedBy::Person);
 }
 
+void OperatingField::hear_tool_keys(Ui& ui) {
+  const auto heard = [&](Key key, const char* id) {
+    return ui.shortcut({key}, ui.text(id)) && !ui.is_key_held_on();
+  };
+  if (heard(Key::B, "operate.key.tray")) session_.open_tray();
+  if (heard(Key::F, "operate.key.forceps")) work_forceps(ui.texts());
+  if (heard(Key::J, "operate.key.drive_home")) session_.drive_home();
+  if (heard(Key::X, "operate.key.leave")) leave_or_take();
+}
+
+/// In a step that shifts a fragment it is that one, wherever the hand is; else what is nearest.
+void OperatingField::work_forceps(const Texts& texts) {
+  if (running_ == nullptr || running_->site == nullptr) return;
+  const CoachView view = coach_view(sources(texts));
+  std::optional<std::int32_t> piece;
+  if (const std::optional<std::size_t> shift = shift_at_hand(view))
+    piece = piece_of_shift(view, *shift);
+  session_.work_forceps(piece ? piece : running_->site->reach.piece);
+}
+
+void OperatingField::leave_or_take() {
+  if (running_ == nullptr || running_->site == nullptr) return;
+  session_.leave_or_take(has(running_->view.sample.status, simulator::ToolStatus::InBore),
+                         running_->site->reach.implant);
+}
+
 void OperatingField::hear_display_keys(Ui& ui, Shell& shell) {
   Preferences& preferences = shell.preferences();
   const auto turn = [&](Key key, const char* id, bool& is_on) {
@@ -105,17 +139,21 @@ void OperatingField::take_up_step(const Texts& texts) {
   HudSources known = sources(texts);
   if (!session_.is_practice()) known.site = nullptr;
   if (const std::optional<std::size_t> step = step_to_take_up(coach_view(known)))
-    session_.reopen_step(*step);
+    session_.take_up_step(*step);
 }
 
 void OperatingField::lead(Ui& ui, const AreaResponse& area, const Steered& steered) {
   if (!session_.is_led()) return viewport_.release_pointer();
   if (steered.switches_saw) session_.set_saw_on(!session_.saw().is_on());
   // A hand that was lifted off an arm comes back elsewhere: not while the bone holds the blade.
-  const bool may_lift = session_.saw().is_led_by_window() ||
-                        !has(running_->view.sample.status, simulator::ToolStatus::InKerf);
+  const std::uint32_t status = running_->view.sample.status;
+  const bool is_held_by_bone =
+      has(status, simulator::ToolStatus::InKerf) || has(status, simulator::ToolStatus::InBore);
+  const bool may_lift = session_.saw().is_led_by_window() || !is_held_by_bone;
   session_.lift(may_lift && viewport_.lift().is_lifted());
-  if (guidance_ == simulator::Guidance::Slot) {
+  if (guidance_ == simulator::Guidance::Slot && !session_.tools().is_saw()) {
+    session_.set_rail({});
+  } else if (guidance_ == simulator::Guidance::Slot) {
     session_.set_rail(rail_of_step(prepared_case(), session_.steps().step(),
                                    running_->site == nullptr ? nullptr : &running_->site->cuts,
                                    running_->view.sample.kerf));
@@ -163,8 +201,12 @@ void OperatingField::see_saw() {
   const auto bit_where = [&](simulator::ToolStatus status, simulator::Switch which) {
     return has(view.sample.status, status) ? bit(which) : 0U;
   };
-  session_.see_saw(transform_from(view.sample.world_from_tool),
+  // While a piece is held, the sample tells where that is, and the hand is where it was led.
+  const bool is_gripping = session_.tools().forceps() == Forceps::Holding;
+  session_.see_saw(is_gripping ? session_.saw().world_from_target()
+                               : transform_from(view.sample.world_from_tool),
                    bit_where(simulator::ToolStatus::SawOn, simulator::Switch::SawRuns) |
+                       bit_where(simulator::ToolStatus::DriveOn, simulator::Switch::SawRuns) |
                        bit_where(simulator::ToolStatus::Irrigated, simulator::Switch::Irrigates));
   session_.see_device(view.is_device_lost);
 }
@@ -183,8 +225,8 @@ std::string OperatingField::device_trouble() const {
   return kind == nullptr ? std::string() : trouble_words(trouble, *kind, facts->kind) + ".";
 }
 
-void OperatingField::tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const {
-  for (const StepNotice notice : notices) {
+void OperatingField::tell(const Ui& ui, Shell& shell, std::span<const Notice> notices) const {
+  for (const Notice notice : notices) {
     const auto [title, detail] = notice_texts(notice);
     shell.say({Meaning::Info, text_in(ui, title), text_in(ui, detail)});
   }
@@ -195,25 +237,36 @@ void OperatingField::show(Ui& ui, Shell& shell, std::span<const Mark> goals) {
   const bool is_paused = session_.pausing().is_paused();
   const bool has_stepped = running_ && running_->view.lines > 0;
   BoneBeingCut* bone = running_ ? &running_->bone : nullptr;
-  viewport_.draw(ui, shell.scenes(),
-                 {.prepared_case = prepared_case(),
-                  .whole = prepared_.picture,
-                  .bone = bone,
-                  .loop = has_stepped ? &running_->view : nullptr,
-                  .world_from_target = session_.saw().world_from_target(),
-                  .cut = panels_.help.is_plane_shown ? known_cut() : nullptr,
-                  .is_paused = is_paused,
-                  .is_irrigated = session_.saw().is_irrigated(),
-                  .site = prepared_.site.get(),
-                  .is_neighbour_shown = panels_.is_neighbour_shown,
-                  .facts = running_ && session_.is_practice() ? running_->site.get() : nullptr,
-                  .is_guided = session_.is_practice(),
-                  .goals = goals});
+  OperationInSight shown{
+      .prepared_case = prepared_case(),
+      .whole = prepared_.picture,
+      .bone = bone,
+      .loop = has_stepped ? &running_->view : nullptr,
+      .world_from_target = session_.saw().world_from_target(),
+      .tools = &session_.tools(),
+      .cut = panels_.help.is_plane_shown ? known_cut() : nullptr,
+      .is_paused = is_paused,
+      .is_irrigated = session_.saw().is_irrigated(),
+      .site = prepared_.site.get(),
+      .is_neighbour_shown = panels_.is_neighbour_shown,
+      .facts = running_ && session_.is_practice() ? running_->site.get() : nullptr,
+      .is_guided = session_.is_practice(),
+      .goals = goals};
+  show_fixation(shown, ui.texts());
+  viewport_.draw(ui, shell.scenes(), shown);
   if (session_.is_led() || shell.scenes().is_unfinished()) {
     ui.want_frame_in_s(0.0);
   } else if (is_waiting()) {
     ui.want_frame_in_s(soon_s);
   }
+}
+
+void OperatingField::show_fixation(OperationInSight& shown, const Texts& texts) const {
+  const bool is_known = running_ && running_->site != nullptr && session_.is_practice();
+  if (!is_known || !panels_.help.is_plane_shown) return;
+  const CoachView view = coach_view(sources(texts));
+  if (const std::optional<ImplantTask> task = implant_at_hand(view)) shown.implant = task->implant;
+  shown.shift = shift_at_hand(view);
 }
 
 /// Off by its key, while paused, and after the operation: then the player is told silence.
@@ -223,10 +276,18 @@ void OperatingField::sound_the_saw(Shell& shell) {
       shell.preferences().is_saw_heard && session_.phase() == OperatingSession::Phase::Operating;
   if (is_heard && running_->player == nullptr) running_->player = std::make_unique<SawPlayer>();
   if (running_->player == nullptr) return;
-  SawTone tone =
-      saw_tone(running_->view.sample, running_->view.engaged, prepared_case().scenario.saw);
+  SawTone tone = saw_tone(running_->view.sample, running_->view.engaged, driven_saw());
   tone.runs = tone.runs && is_heard && !session_.pausing().is_paused();
   running_->player->play(tone);
+}
+
+/// A drive of another tool sounds as fast as it turns.
+simulator::Saw OperatingField::driven_saw() const {
+  const ToolsInHand& tools = session_.tools();
+  if (const simulator::Saw* const saw = tools.saw()) return *saw;
+  simulator::Saw saw = prepared_case().scenario.saw;
+  if (tools.tool() != nullptr) saw.cycles_per_minute = rate_per_minute(tools.tool()->tool);
+  return saw;
 }
 
 const scenarios::PlannedCut* OperatingField::known_cut() const {
@@ -276,13 +337,17 @@ OperatingHud OperatingField::hud(const Ui& ui, Shell& shell) {
   return hud;
 }
 
-void OperatingField::answer(const HudAnswer& answer) {
+void OperatingField::answer(const HudAnswer& answer, const Texts& texts) {
   panels_.are_hints_low = answer.are_hints_low;
   if (answer.health) panels_.is_health_open = !panels_.is_health_open;
   if (answer.pause) session_.toggle_pause();
   if (answer.saw) session_.set_saw_on(!session_.saw().is_on());
   if (answer.irrigation) session_.set_irrigated(!session_.saw().is_irrigated());
-  if (answer.reopen) session_.reopen_step(*answer.reopen);
+  if (answer.take_up) session_.take_up_step(*answer.take_up);
+  if (answer.tray) session_.open_tray();
+  if (answer.forceps) work_forceps(texts);
+  if (answer.drive_home) session_.drive_home();
+  if (answer.leave_or_take) leave_or_take();
 }
 
 HandState OperatingField::hand(const Ui& ui) const {
@@ -294,13 +359,14 @@ HandState OperatingField::hand(const Ui& ui) const {
 
 const BladeSection* OperatingField::inset(const std::optional<WayAhead>& way) {
   panels_.inset.reset();
-  if (!session_.is_practice() || !panels_.help.is_inset_shown) return nullptr;
+  if (!session_.is_practice() || !panels_.help.is_inset_shown || !session_.tools().is_saw())
+    return nullptr;
   const std::shared_ptr<const KerfSection> section = running_->bone.section();
   if (section == nullptr) return nullptr;
   const RigidTransform bone_from_tool = inverse(prepared_case().bone.world_from_bone) *
                                         transform_from(running_->view.sample.world_from_tool);
-  panels_.inset = blade_section(*section, bone_from_tool, prepared_case().scenario.saw.blade,
-                                &prepared_case().plan);
+  panels_.inset =
+      blade_section(*section, bone_from_tool, driven_saw().blade, &prepared_case().plan);
   panels_.inset->way = way;
   return &*panels_.inset;
 }

@@ -35,8 +35,9 @@ class OperatingField {
   const PreparedCase& prepared_case() const noexcept { return *prepared_.prepared_case; }
 
   /// The session is ready, and the camera stands before the site.
-  /// steps  of the session
-  void make_ready(PreparedOperation prepared, std::vector<scenarios::StepKind> steps);
+  void make_ready(PreparedOperation prepared);
+  /// The same with steps of its own.
+  void make_ready(PreparedOperation prepared, StepProgress steps);
   /// The session runs, and the picture follows the loop. Borrows loop and device.
   /// name    for the names of the pictures
   /// second  of the other hand; null: none
@@ -65,7 +66,7 @@ class OperatingField {
   const simulator::LoopView& loop() const noexcept { return running_->view; }
   /// Why the device is away, and what mends it; empty where it is well.
   std::string device_trouble() const;
-  /// Null before it is known, and after a hinge was closed.
+  /// Null before it is known.
   const SiteFacts* site() const noexcept { return running_->site.get(); }
   HudSources sources(const Texts& texts) const;
   /// Of the cut of the step at hand, as far as it is known; null where it has none.
@@ -76,7 +77,7 @@ class OperatingField {
   /// What all operations show, of hand, health and inset too.
   OperatingHud hud(const Ui& ui, Shell& shell);
   /// Does what was pressed, as far as it is no end, step or lesson.
-  void answer(const HudAnswer& answer);
+  void answer(const HudAnswer& answer, const Texts& texts);
 
  private:
   /// The loop that runs, with what follows it.
@@ -107,13 +108,16 @@ class OperatingField {
   };
 
   void hear_keys(Ui& ui);
+  void hear_tool_keys(Ui& ui);
   void hear_display_keys(Ui& ui, Shell& shell);
   void take_up_step(const Texts& texts);
   /// Leads the saw by what was steered, or sets the hand down.
   void lead(Ui& ui, const AreaResponse& area, const Steered& steered);
-  void tell(const Ui& ui, Shell& shell, std::span<const StepNotice> notices) const;
+  void tell(const Ui& ui, Shell& shell, std::span<const Notice> notices) const;
   void sound_the_saw(Shell& shell);
   void see_saw();
+  void work_forceps(const Texts& texts);
+  void leave_or_take();
   /// Of the other hand since the last frame: what of it is the saw's; the rest turns the view.
   simulator::PointerMotion hear_second(double now_s);
   /// Something may change that nobody did at this window.
@@ -121,6 +125,9 @@ class OperatingField {
   /// The cut in which the saw is, else the one that the step at hand asks for; null where people
   /// are to know nothing of the plan.
   const scenarios::PlannedCut* known_cut() const;
+  simulator::Saw driven_saw() const;
+  /// What is to be set and shifted now, for the picture.
+  void show_fixation(OperationInSight& shown, const Texts& texts) const;
   HandState hand(const Ui& ui) const;
   /// Of the section in the blade's plane; null where it is not shown.
   const BladeSection* inset(const std::optional<WayAhead>& way);

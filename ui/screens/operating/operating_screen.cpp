@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/screens/operating/hand/tray_card.h"
 #include "ui/screens/operating/hud_facts.h"
 #include "ui/screens/operating/operating_cards.h"
 #include "ui/widgets/controls/card.h"
@@ -12,8 +13,6 @@
 namespace hallux::ui {
 
 namespace {
-
-using scenarios::StepKind;
 
 constexpr double soon_s = 0.05;
 
@@ -23,13 +22,6 @@ const char* name_of(StereoMode mode) {
   return mode == StereoMode::Mono         ? "mono"
          : mode == StereoMode::SideBySide ? "side_by_side"
                                           : "anaglyph";
-}
-
-std::vector<StepKind> kinds_of(const std::vector<scenarios::OperationStep>& steps) {
-  std::vector<StepKind> kinds;
-  kinds.reserve(steps.size());
-  for (const scenarios::OperationStep& step : steps) kinds.push_back(step.kind);
-  return kinds;
 }
 
 }  // namespace
@@ -77,8 +69,7 @@ void OperatingScreen::prepare(Ui& ui, Shell& shell) {
       card(ui, centred(ui.display(), std::min(520.0F, ui.display().w - 32.0F), 300.0F),
            ui.text("operate.preparing"));
   if (!prepared_.draw_until_ready(ui, "operate.unprepared", inside, 4)) return;
-  std::vector<StepKind> steps = kinds_of(prepared_.value().prepared_case->scenario.steps);
-  field_.make_ready(std::move(prepared_.value()), std::move(steps));
+  field_.make_ready(std::move(prepared_.value()));
   ui.want_frame_in_s(0.0);
 }
 
@@ -197,7 +188,7 @@ void OperatingScreen::draw_hud(Ui& ui, Shell& shell) {
   hud.is_simulated = signed_in_->is_simulated();
   if (hud.is_health_open) hud.health.log_bytes = live_->log_bytes();
   const HudAnswer answer = draw_operating_hud(ui, hud);
-  field_.answer(answer);
+  field_.answer(answer, ui.texts());
   if (answer.finish) session().ask(Asked::Finish);
   if (answer.abandon) session().ask(Asked::Abandon);
   if (answer.step) {
@@ -207,6 +198,11 @@ void OperatingScreen::draw_hud(Ui& ui, Shell& shell) {
 }
 
 void OperatingScreen::ask(Ui& ui) {
+  if (session().asked() == Asked::Tool) {
+    const TrayAnswer taken = draw_tray_card(ui, session().tools());
+    if (taken.is_closed) session().close_tray(taken.place);
+    return;
+  }
   const scenarios::HeldCut* const held = field_.held_at_step();
   const bool is_told = session().is_practice() && held != nullptr && held->is_begun();
   const Answer answer = draw_end_question(ui, session().asked(),

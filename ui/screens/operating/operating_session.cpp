@@ -16,9 +16,10 @@ OperatingSession::Staying OperatingSession::staying() const noexcept {
 
 // -- before
 
-void OperatingSession::make_ready(std::vector<scenarios::StepKind> steps, const LedSaw& saw) {
-  steps_ = StepProgress(std::move(steps));
+void OperatingSession::make_ready(StepProgress steps, const LedSaw& saw, ToolsInHand tools) {
+  steps_ = std::move(steps);
   saw_ = saw;
+  tools_ = std::move(tools);
   phase_ = Phase::Ready;
 }
 
@@ -86,10 +87,51 @@ void OperatingSession::toggle_pause() {
   pause(PausedBy::Person);
 }
 
+// -- the tools
+
+void OperatingSession::open_tray() {
+  if (!is_led() || tools_.tray().size() < 2) return;
+  saw_.set_on(false);
+  saw_.release();
+  asking_ = {Asked::Tool, false};
+}
+
+void OperatingSession::close_tray(std::optional<std::int32_t> place) {
+  if (asked() != Asked::Tool) return;
+  asking_ = {};
+  if (is_led() && place && *place != tools_.place()) attempt_->choose_tool(*place);
+}
+
+void OperatingSession::work_forceps(std::optional<std::int32_t> piece) {
+  if (!is_led()) return;
+  if (tools_.forceps() != Forceps::Open) {
+    if (tools_.forceps() == Forceps::Closing) tools_.open_forceps();
+    return attempt_->release();
+  }
+  if (!piece) return;
+  saw_.set_on(false);
+  tools_.close_forceps();
+  attempt_->grip(*piece);
+}
+
+void OperatingSession::drive_home() {
+  if (!is_led() || tools_.forceps() != Forceps::Holding) return;
+  tools_.drive_home();
+  attempt_->impact();
+}
+
+void OperatingSession::leave_or_take(bool stands_in_bone, std::optional<std::int32_t> implant) {
+  if (!is_led() || !tools_.is_implant_driver()) return;
+  if (stands_in_bone || !implant) return attempt_->leave_implant();
+  attempt_->take_implant(*implant);
+}
+
 // -- steps
 
 void OperatingSession::press_step(bool is_cut_through, double now_s) {
-  const bool is_unfinished = steps_.kind() == scenarios::StepKind::Cut && !is_cut_through;
+  const std::optional<scenarios::StepKind> kind = steps_.kind();
+  const bool is_sawn = kind == scenarios::StepKind::Cut || kind == scenarios::StepKind::Trim;
+  const bool is_unfinished = is_sawn && !is_cut_through;
   if (is_unfinished && asked_of_step_ != steps_.step()) {
     if (!is_heard()) return;
     asked_of_step_ = steps_.step();
@@ -105,7 +147,7 @@ void OperatingSession::press_step(bool is_cut_through, double now_s) {
       attempt_->pick_up(steps_.piece_to_take());
       break;
     case StepDeed::CloseHinge:
-      attempt_->close_hinge();
+      attempt_->close_hinge(steps_.hinge());
       break;
     case StepDeed::AskToFinish:
       ask(Asked::Finish);
@@ -113,21 +155,24 @@ void OperatingSession::press_step(bool is_cut_through, double now_s) {
   }
 }
 
-std::vector<StepNotice> OperatingSession::apply(std::span<const simulator::CutEvent> events,
-                                                double now_s) {
-  std::vector<StepNotice> notices;
+std::vector<Notice> OperatingSession::apply(std::span<const simulator::CutEvent> events,
+                                            double now_s) {
+  std::vector<Notice> notices;
   for (const simulator::CutEvent& event : events) {
+    if (const std::optional<Notice> notice = tools_.apply(event)) notices.push_back(*notice);
     const StepNews news = steps_.apply(event);
     if (news.is_fulfilled) end_step();
     if (news.piece) attempt_->pick_up(*news.piece);
     if (news.notice) notices.push_back(*news.notice);
   }
-  if (const std::optional<StepNotice> notice = steps_.expire(now_s)) notices.push_back(*notice);
+  if (const std::optional<Notice> notice = steps_.expire(now_s)) notices.push_back(*notice);
   return notices;
 }
 
-void OperatingSession::reopen_step(std::size_t step) {
-  if (!is_heard() || !steps_.can_reopen(step)) return;
+void OperatingSession::take_up_step(std::size_t step) {
+  if (!is_heard()) return;
+  if (steps_.can_choose(step)) return steps_.choose(step);
+  if (!steps_.can_reopen(step)) return;
   steps_.reopen(step);
   asked_of_step_.reset();
   attempt_->reopen(static_cast<std::int32_t>(step));
@@ -144,6 +189,7 @@ void OperatingSession::ask(Asked what) {
 }
 
 void OperatingSession::answer(Decided decided, double now_s) {
+  if (asked() == Asked::Tool) return close_tray({});
   const auto [asked, was_paused] = std::exchange(asking_, {});
   if (decided != Decided::GoOn && asked != Asked::EndUnfinished) {
     const bool is_finished = decided == Decided::Finish || asked == Asked::Finish;

@@ -1,4 +1,4 @@
-/// The session of somebody who operates: phases, pauses, steps, questions and the end. Draws
+/// The session of somebody who operates: phases, pauses, tools, steps, questions and the end. Draws
 /// nothing, knows no window. Inside this corner only.
 ///
 ///     preparing -> ready -> beginning -> operating -> sealing -> scoring -> over
@@ -23,6 +23,8 @@
 #include "database/records/attempt.h"
 #include "ui/jobs/attempt_controls.h"
 #include "ui/screens/operating/hand/led_saw.h"
+#include "ui/screens/operating/hand/notice.h"
+#include "ui/screens/operating/hand/tools_in_hand.h"
 #include "ui/screens/operating/pausing.h"
 #include "ui/screens/operating/step_progress.h"
 
@@ -36,7 +38,9 @@ enum class Asked {
   /// The step is to end though bone still holds in its cut.
   EndUnfinished,
   /// The window is to be closed, or the screen left.
-  Leave
+  Leave,
+  /// Which tool of the tray comes into the hand; the time goes on meanwhile.
+  Tool
 };
 
 /// What a person decides of it.
@@ -72,6 +76,7 @@ class OperatingSession {
   bool is_practice() const noexcept { return kind_ == database::AttemptKind::Practice; }
   Phase phase() const noexcept { return phase_; }
   const LedSaw& saw() const noexcept { return saw_; }
+  const ToolsInHand& tools() const noexcept { return tools_; }
   const Pausing& pausing() const noexcept { return pausing_; }
   /// The device that a hand held is away.
   bool is_device_lost() const noexcept { return is_device_lost_; }
@@ -92,7 +97,7 @@ class OperatingSession {
 
   // -- before
   /// Preparing -> ready.
-  void make_ready(std::vector<scenarios::StepKind> steps, const LedSaw& saw);
+  void make_ready(StepProgress steps, const LedSaw& saw, ToolsInHand tools = {});
   /// Ready -> beginning. False where that is not so.
   bool begin() noexcept;
   /// Beginning -> operating. Borrows both.
@@ -131,24 +136,36 @@ class OperatingSession {
   /// Mouse and keys lead on in place of the device that is away; in practice alone.
   void take_over_from_device();
 
+  // -- the tools; nothing but while somebody leads
+  /// The tray is open, and the drive off.
+  void open_tray();
+  /// The tray is closed; a tool of it is taken up, where one was chosen.
+  void close_tray(std::optional<std::int32_t> place);
+  /// Grips that piece with open forceps; closed ones let go.
+  void work_forceps(std::optional<std::int32_t> piece);
+  /// What the forceps hold.
+  void drive_home();
+  /// The driver lets go of what stands in bone, or takes hold of that implant.
+  void leave_or_take(bool stands_in_bone, std::optional<std::int32_t> implant);
+
   // -- steps
   /// The button of the step at hand. Where bone still holds in the cut of that step it asks first,
   /// once.
   /// is_cut_through  of the step at hand; true where it has no cut
   void press_step(bool is_cut_through, double now_s);
-  /// A done step is at hand again; nothing where that cannot be.
-  void reopen_step(std::size_t step);
+  /// A done step is at hand again, or another that may be done next is; nothing where that cannot
+  /// be.
+  void take_up_step(std::size_t step);
   /// What the steps that remove ask for, in their order, as it lies in the wound now.
   void see(std::span<const scenarios::WantedPart> parts) { steps_.see(parts); }
-  /// Takes what happened at the bone since the last frame; told are the steps that did not come
-  /// off.
-  std::vector<StepNotice> apply(std::span<const simulator::CutEvent> events, double now_s);
+  /// Takes what happened at the bone since the last frame; told is what did not come off.
+  std::vector<Notice> apply(std::span<const simulator::CutEvent> events, double now_s);
 
   // -- the end
   /// Pauses and asks; nothing but while operating without a question.
   void ask(Asked what);
-  /// Acts on what was asked: finishes, abandons, ends the step. To leave may be decided either
-  /// way, finished or (Act) abandoned. Else it goes on as it was, unless a disk filled up
+  /// Acts on a question about an end: finishes, abandons, ends the step. To leave may be decided
+  /// either way, finished or (Act) abandoned. Else it goes on as it was, unless a disk filled up
   /// meanwhile.
   void answer(Decided decided, double now_s);
   /// Waits for a disk that is full. True where that changed.
@@ -178,6 +195,7 @@ class OperatingSession {
   Phase phase_ = Phase::Preparing;
   AttemptControls* attempt_ = nullptr;
   LedSaw saw_;
+  ToolsInHand tools_;
   Pausing pausing_;
   StepProgress steps_;
   bool is_device_lost_ = false;

@@ -10,6 +10,7 @@
 
 #include "simulator/record/sample_force.h"
 #include "ui/render/scene/tool_model.h"
+#include "ui/screens/operating/tools_in_sight.h"
 #include "ui/screens/pictures/contact_halo.h"
 #include "ui/screens/pictures/planned_frame.h"
 #include "ui/screens/pictures/sight_along_blade.h"
@@ -69,25 +70,16 @@ std::optional<SwarfSource> swarf_of(const OperationInSight& shown) {
   const simulator::LoopView& loop = *shown.loop;
   if (!has(loop.sample.status, ToolStatus::Cutting)) return std::nullopt;
   const scenarios::Scenario& scenario = shown.prepared_case.scenario;
+  const simulator::Saw* const chosen = shown.tools == nullptr ? nullptr : shown.tools->saw();
+  const simulator::Saw& saw = chosen == nullptr ? scenario.saw : *chosen;
   SwarfSource source;
   source.world_from_tool = transform_from(loop.sample.world_from_tool);
-  source.width_mm = scenario.saw.blade.width_mm;
-  const double rate_mm_s =
-      simulator::feed_rate_mm_s(loop.engaged, simulator::force_size_newton(loop.sample),
-                                scenario.saw, scenario.patient.bone_quality);
-  source.removed_mm3_s = rate_mm_s * loop.engaged.width_mm() * scenario.saw.blade.kerf_mm;
+  source.width_mm = saw.blade.width_mm;
+  const double rate_mm_s = simulator::feed_rate_mm_s(
+      loop.engaged, simulator::force_size_newton(loop.sample), saw, scenario.patient.bone_quality);
+  source.removed_mm3_s = rate_mm_s * loop.engaged.width_mm() * saw.blade.kerf_mm;
   source.is_irrigated = shown.is_irrigated;
   return source;
-}
-
-SawInScene saw_of(const OperationInSight& shown) {
-  SawInScene saw;
-  saw.world_from_tool = shown.loop == nullptr ? shown.world_from_target
-                                              : transform_from(shown.loop->sample.world_from_tool);
-  saw.blade = shown.prepared_case.scenario.saw.blade;
-  saw.is_running = shown.loop != nullptr && !shown.is_paused &&
-                   has(shown.loop->sample.status, ToolStatus::SawOn);
-  return saw;
 }
 
 bool has_neighbour(const OperationInSight& shown) {
@@ -112,18 +104,16 @@ void add_bones(Scene& scene, const OperationInSight& shown) {
 }
 
 /// needs   the bones are in the scene
-BoneSurface surface_of(const OperationInSight& shown) {
-  if (shown.bone != nullptr) return shown.bone->surface();
-  return {*shown.whole.tree, shown.prepared_case.bone.world_from_bone};
+std::vector<BoneSurface> surfaces_of(const OperationInSight& shown) {
+  if (shown.bone != nullptr) return shown.bone->surfaces();
+  return {{*shown.whole.tree, shown.prepared_case.bone.world_from_bone}};
 }
 
 std::array<double, blade_sight_count> hidden_from(const OperationInSight& shown,
                                                   const SawInScene& saw) {
-  const BoneSurface bone = surface_of(shown);
-  if (!has_neighbour(shown))
-    return hidden_along_blade(std::span(&bone, 1), saw.world_from_tool, saw.blade);
-  const std::array bones{
-      bone, BoneSurface{*shown.site->neighbour_tree, shown.site->neighbour.world_from_bone}};
+  std::vector<BoneSurface> bones = surfaces_of(shown);
+  if (has_neighbour(shown))
+    bones.push_back({*shown.site->neighbour_tree, shown.site->neighbour.world_from_bone});
   return hidden_along_blade(bones, saw.world_from_tool, saw.blade);
 }
 
@@ -139,7 +129,7 @@ PlaneGhost plane_of(const OperationInSight& shown) {
 /// sees who stands before a patient.
 std::optional<ContactHalo> halo_of(const OperationInSight& shown, const SawInScene& saw,
                                    const Vec3& eye_in_world_mm) {
-  std::optional<ContactHalo> halo = contact_halo(surface_of(shown), saw, eye_in_world_mm);
+  std::optional<ContactHalo> halo = contact_halo(surfaces_of(shown), saw, eye_in_world_mm);
   if (shown.is_guided || !halo) return halo;
   if (halo->kind != HaloKind::On) return std::nullopt;
   halo->distance_mm = 0.0;
@@ -147,12 +137,15 @@ std::optional<ContactHalo> halo_of(const OperationInSight& shown, const SawInSce
 }
 
 /// What helps in practice alone.
-void add_guidance(Scene& scene, const OperationInSight& shown) {
-  scene.lines.push_back({.world_from_plane = scene.saw->world_from_tool,
-                         .half_mm = Vec2(0.0, 0.5 * scene.saw->blade.width_mm + beside_teeth_mm),
-                         .faint_mm = faint_line_mm});
+void add_guidance(Scene& scene, const OperationInSight& shown, const SawInScene& saw) {
+  if (scene.saw) {
+    scene.lines.push_back({.world_from_plane = saw.world_from_tool,
+                           .half_mm = Vec2(0.0, 0.5 * saw.blade.width_mm + beside_teeth_mm),
+                           .faint_mm = faint_line_mm});
+  }
   scene.zones = zones_in_scene(shown.prepared_case.plan, shown.prepared_case.bone.world_from_bone,
-                               scene.saw->world_from_tool, scene.saw->blade);
+                               saw.world_from_tool, saw.blade);
+  add_planned_fixation(scene, shown);
   if (shown.bone != nullptr) shown.bone->add_free_pieces(scene);
 }
 
@@ -236,8 +229,13 @@ void OperatingViewport::draw(Ui& ui, ScenePainter& painter, const OperationInSig
   const double step_s = now_s - std::exchange(last_s_, now_s);
   frame_ms_ = std::max(1000.0 * step_s, 0.9 * frame_ms_);
   if (shown.bone != nullptr && !shown.is_paused) let_chips_fly(step_s, shown);
-  const Scene scene = this->scene(ui, shown);
-  drawn_saw_ = *scene.saw;
+  drawn_saw_ = saw_in_sight(shown);
+  // Faster than pictures follow each other: each shows the blade somewhere else in its swing.
+  const double swings = 2.4 * static_cast<double>(pictures_);
+  if (drawn_saw_.is_running) drawn_saw_.swing = std::sin(swings);
+  drawn_saw_.handpiece_presence =
+      handpiece_presence_from(drawn_saw_.world_from_tool, sight_.eye().eye_in_world_mm);
+  const Scene scene = this->scene(ui, shown, swings);
   hidden_along_blade_ = hidden_from(shown, drawn_saw_);
   painter.draw_behind(scene, sight_.camera, stereo_);
   if (stereo_.mode == StereoMode::SideBySide) ui.carry_pointer();
@@ -255,20 +253,15 @@ void OperatingViewport::let_chips_fly(double step_s, const OperationInSight& sho
   swarf_.advance(step_s, shown.loop == nullptr ? std::nullopt : swarf_of(shown));
 }
 
-Scene OperatingViewport::scene(const Ui& ui, const OperationInSight& shown) const {
+Scene OperatingViewport::scene(const Ui& ui, const OperationInSight& shown, double swings) const {
   Scene scene;
   scene.ground = ui.theme().is_dark() ? Ground::Dark : Ground::Light;
   add_bones(scene, shown);
-  SawInScene saw = saw_of(shown);
-  // Faster than pictures follow each other: each shows the blade somewhere else in its swing.
-  if (saw.is_running) saw.swing = std::sin(2.4 * static_cast<double>(pictures_));
-  saw.handpiece_presence =
-      handpiece_presence_from(saw.world_from_tool, sight_.eye().eye_in_world_mm);
-  scene.saw = saw;
+  add_tool(scene, shown, drawn_saw_, swings);
   scene.chips = swarf_.chips();
-  scene.halo = halo_of(shown, saw, sight_.eye().eye_in_world_mm);
+  if (!scene.forceps) scene.halo = halo_of(shown, drawn_saw_, sight_.eye().eye_in_world_mm);
   if (shown.cut != nullptr) scene.planes.push_back(plane_of(shown));
-  if (shown.is_guided) add_guidance(scene, shown);
+  if (shown.is_guided) add_guidance(scene, shown, drawn_saw_);
   if (shown.facts != nullptr) add_held(scene, shown);
   scene.marks.insert(scene.marks.end(), shown.goals.begin(), shown.goals.end());
   return scene;

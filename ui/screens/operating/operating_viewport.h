@@ -12,6 +12,7 @@
 #include "ui/render/scene_painter.h"
 #include "ui/screens/operating/hand/start_place.h"
 #include "ui/screens/operating/hand/steering.h"
+#include "ui/screens/operating/hand/tools_in_hand.h"
 #include "ui/screens/operating/hud/operating_hud.h"
 #include "ui/screens/operating/site/bone_being_cut.h"
 #include "ui/screens/operating/site/site_picture.h"
@@ -28,8 +29,13 @@ struct OperationInSight {
   /// The loop's newest; nothing before its first step.
   const simulator::LoopView* loop = nullptr;
   RigidTransform world_from_target;
+  /// What is in the hand; null: the scenario's saw.
+  const ToolsInHand* tools = nullptr;
   /// The face to saw along, where people may see it.
   const scenarios::PlannedCut* cut = nullptr;
+  /// The wire or screw to be set and the shift to be made, where people may see them.
+  const scenarios::PlannedImplant* implant = nullptr;
+  std::optional<std::size_t> shift = {};
   bool is_paused = false, is_irrigated = false;
   /// What stands around the bone; null: nothing.
   const SitePicture* site = nullptr;
@@ -82,12 +88,12 @@ class OperatingViewport {
   void hear_views(Ui& ui, const PreparedCase& prepared_case);
   void hear_eyes(Ui& ui);
   void let_chips_fly(double step_s, const OperationInSight& shown);
-  Scene scene(const Ui& ui, const OperationInSight& shown) const;
+  Scene scene(const Ui& ui, const OperationInSight& shown, double swings) const;
 
   Sight sight_;
   Steering steering_;
   StereoSetting stereo_;
-  /// As it was drawn last, and what was hidden of its teeth then.
+  /// The saw as it was drawn last, or the outline of another tool, and what was hidden of it then.
   SawInScene drawn_saw_;
   std::array<double, blade_sight_count> hidden_along_blade_{};
   Swarf swarf_{1};

@@ -46,6 +46,20 @@ constexpr EventText event_texts[] = {
     {CutEventKind::BoneNecrosis, Meaning::Bad, "replay.event.bone_necrosis"},
     {CutEventKind::DangerContact, Meaning::Bad, "replay.event.danger_contact"},
     {CutEventKind::DangerLeft, Meaning::Neutral, "replay.event.danger_left"},
+    {CutEventKind::FragmentParted, Meaning::Neutral, "replay.event.fragment_parted"},
+    {CutEventKind::Gripped, Meaning::Info, "replay.event.gripped"},
+    {CutEventKind::Released, Meaning::Neutral, "replay.event.released"},
+    {CutEventKind::GripRefused, Meaning::Warn, "replay.event.grip_refused"},
+    {CutEventKind::ToolChosen, Meaning::Neutral, "replay.event.tool_chosen"},
+    {CutEventKind::ToolRefused, Meaning::Warn, "replay.event.tool_refused"},
+    {CutEventKind::BoreBegun, Meaning::Info, "replay.event.bore_begun"},
+    {CutEventKind::BoreRefused, Meaning::Warn, "replay.event.bore_refused"},
+    {CutEventKind::BoreThrough, Meaning::Neutral, "replay.event.bore_through"},
+    {CutEventKind::MetalMet, Meaning::Bad, "replay.event.metal_met"},
+    {CutEventKind::ScrewSeated, Meaning::Good, "replay.event.screw_seated"},
+    {CutEventKind::ImplantLeft, Meaning::Good, "replay.event.implant_left"},
+    {CutEventKind::ImplantTaken, Meaning::Neutral, "replay.event.implant_taken"},
+    {CutEventKind::ImplantRefused, Meaning::Warn, "replay.event.implant_refused"},
 };
 
 constexpr std::pair<TimelineShape, std::string_view> shape_texts[] = {

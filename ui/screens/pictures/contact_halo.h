@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "simulator/mesh/bvh.h"
 #include "simulator/tool/saw.h"
@@ -25,8 +26,8 @@ inline constexpr double halo_contact_mm = 0.25;
 std::optional<double> way_to_bone_mm(const BoneSurface& bone, const RigidTransform& world_from_tool,
                                      const simulator::Blade& blade) noexcept;
 
-/// The halo as one sees it from there; nothing where the bone is not ahead of the teeth.
-std::optional<ContactHalo> contact_halo(const BoneSurface& bone, const SawInScene& saw,
+/// The halo as one sees it from there; nothing where no bone is ahead of the teeth.
+std::optional<ContactHalo> contact_halo(std::span<const BoneSurface> bones, const SawInScene& saw,
                                         const Vec3& eye_in_world_mm) noexcept;
 
 }  // namespace hallux::ui

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdio>
 
+#include "scenarios/tray/laid_out_tools.h"
 #include "ui/screens/pictures/blade_section_view.h"
 
 namespace hallux::ui {
@@ -24,7 +25,7 @@ PassesInView passes_in_view(const scenarios::Scenario& scenario, const scenarios
                             const simulator::Bvh& tree) {
   const scenarios::PlannedPasses planned = planned_passes(scenario, plan, cut, whole, tree);
   const scenarios::PlannedCut& face = plan.cuts[cut];
-  const simulator::Blade& blade = scenario.saw.blade;
+  const simulator::Blade& blade = blade_of(scenario, face);
   // As the passes lie: the middle of the blade, half a kerf from the face, in the waste.
   const simulator::KerfPlane plane{
       {rotation_from_axes(planned.feed_in_bone, planned.along_in_bone),

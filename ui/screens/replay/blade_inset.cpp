@@ -52,35 +52,39 @@ std::optional<WayAhead> way_in(const BladeSection& section, const scenarios::Pla
 
 const simulator::Bvh* BladeInset::tree_of(Shell& shell,
                                           const std::shared_ptr<const ReplayMaterial>& material,
-                                          std::size_t stretch) {
-  const auto known = trees_->find(stretch);
+                                          const Solid& solid) {
+  const auto known = trees_->find(solid);
   if (known != trees_->end()) return known->second.get();
-  trees_->emplace(stretch, nullptr);
+  trees_->emplace(solid, nullptr);
   auto built = std::make_shared<std::shared_ptr<const simulator::Bvh>>();
   // Without a label, since nobody waits for it.
   shell.background().start(
       {},
-      [built, material, stretch](WorkReport&) {
-        *built =
-            std::make_shared<const simulator::Bvh>(material->bone->stretches[stretch].solid.mesh);
+      [built, material, solid](WorkReport&) {
+        const auto fragment = static_cast<std::size_t>(solid.fragment);
+        const BoneMesh& mesh = material->bone->stretches[fragment][solid.stretch];
+        *built = std::make_shared<const simulator::Bvh>(mesh.solid.mesh);
       },
-      [built, trees = trees_, stretch](WorkEnd end, const std::string&) {
-        if (end == WorkEnd::Done) (*trees)[stretch] = std::move(*built);
+      [built, trees = trees_, solid](WorkEnd end, const std::string&) {
+        if (end == WorkEnd::Done) (*trees)[solid] = std::move(*built);
       });
   return nullptr;
 }
 
-void BladeInset::renew(const ReplayMaterial& material, simulator::BoneMoment& bone,
-                       const RigidTransform& bone_from_tool, const simulator::Bvh& tree) {
-  const std::optional<simulator::KerfOpening> kerf = bone.kerf_at_hand();
-  const bool is_in_kerf = kerf && is_in_plane(kerf->plane.bone_from_kerf, bone_from_tool);
-  const bool is_same = is_made_ && revision_ == bone.revision() && is_in_kerf == is_in_kerf_ &&
-                       (is_in_kerf || !is_moved(section_.bone_from_plane, bone_from_tool));
+void BladeInset::renew(const simulator::BoneMoment& bone,
+                       const std::optional<simulator::KerfAtHand>& kerf,
+                       const simulator::KerfPlane& own, const simulator::Bvh& tree) {
+  const std::int32_t fragment = kerf ? kerf->fragment : 0;
+  const bool is_in_kerf =
+      kerf && is_in_plane(kerf->opening.plane.bone_from_kerf, own.bone_from_kerf);
+  const bool is_same = is_made_ && fragment_ == fragment &&
+                       revision_ == bone.revision_of(fragment) && is_in_kerf == is_in_kerf_ &&
+                       (is_in_kerf || !is_moved(section_.bone_from_plane, own.bone_from_kerf));
   if (is_same) return;
-  const simulator::CutSolid& solid = material.bone->stretches[bone.stretch()].solid;
-  const simulator::KerfPlane own{bone_from_tool, material.scenario.saw.blade.kerf_mm};
-  section_ = kerf_section(solid, tree, is_in_kerf ? *kerf : simulator::KerfOpening{own, {}});
-  revision_ = bone.revision();
+  section_ = kerf_section(bone.fragment(fragment).solid(), tree,
+                          is_in_kerf ? kerf->opening : simulator::KerfOpening{own, {}});
+  fragment_ = fragment;
+  revision_ = bone.revision_of(fragment);
   is_in_kerf_ = is_in_kerf;
   is_made_ = true;
 }
@@ -88,15 +92,20 @@ void BladeInset::renew(const ReplayMaterial& material, simulator::BoneMoment& bo
 void BladeInset::draw(Ui& ui, Shell& shell, const Rect& rect,
                       const std::shared_ptr<const ReplayMaterial>& material,
                       simulator::BoneMoment& bone, const HandAtMoment& hand, bool shows_plan) {
-  if (bone.is_closed()) return;
-  const simulator::Bvh* tree = tree_of(shell, material, bone.stretch());
+  const std::optional<simulator::KerfAtHand> kerf = bone.kerf_at_hand();
+  const std::int32_t fragment = kerf ? kerf->fragment : 0;
+  if (!bone.fragment(fragment).is_there()) return;
+  const simulator::Bvh* tree =
+      tree_of(shell, material, {fragment, bone.fragment(fragment).stretch()});
   if (tree == nullptr) return;
-  const RigidTransform bone_from_tool = inverse(material->world_from_bone) * hand.world_from_tool;
-  renew(*material, bone, bone_from_tool, *tree);
+  const simulator::Blade& blade = std::get<simulator::Saw>(*hand.tool.tool).blade;
+  const RigidTransform fragment_from_tool =
+      inverse(bone.world_from_fragment(fragment)) * hand.world_from_tool;
+  renew(bone, kerf, {fragment_from_tool, blade.kerf_mm}, *tree);
   draw_hud_panel(ui.canvas(), ui.theme(), rect);
-  const scenarios::Plan* const plan = shows_plan ? &material->plan : nullptr;
-  BladeSection shown = blade_section(section_, bone_from_tool, material->scenario.saw.blade, plan);
-  shown.way = way_in(shown, plan, bone_from_tool, material->scenario.saw.blade.kerf_mm);
+  const scenarios::Plan* const plan = shows_plan && fragment == 0 ? &material->plan : nullptr;
+  BladeSection shown = blade_section(section_, fragment_from_tool, blade, plan);
+  shown.way = way_in(shown, plan, fragment_from_tool, blade.kerf_mm);
   draw_blade_section(ui, inset(rect, 8.0F), shown);
 }
 

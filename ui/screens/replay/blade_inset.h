@@ -2,8 +2,10 @@
 /// Inside this corner only.
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "ui/screens/pictures/blade_section.h"
 #include "ui/screens/replay/replay_material.h"
@@ -13,25 +15,35 @@ namespace hallux::ui {
 
 class BladeInset {
  public:
-  /// Draws the section of the moment that the bone stands at, once its solid's tree is built beside
-  /// the window; nothing after a hinge was closed.
-  /// shows_plan  the plan's limits and zones, too
+  /// Draws the section of the moment that the bone stands at, in the fragment that was sawn last,
+  /// once its solid's tree is built beside the window.
+  /// shows_plan  the plan's limits and zones, too; of a fragment that is parted there are none
+  /// needs       a saw is in the hand
   void draw(Ui& ui, Shell& shell, const Rect& rect,
             const std::shared_ptr<const ReplayMaterial>& material, simulator::BoneMoment& bone,
             const HandAtMoment& hand, bool shows_plan);
 
  private:
-  using Trees = std::map<std::size_t, std::shared_ptr<const simulator::Bvh>>;
+  /// A stretch of a fragment.
+  struct Solid {
+    std::int32_t fragment = 0;
+    std::size_t stretch = 0;
+    friend bool operator<(const Solid& a, const Solid& b) noexcept {
+      return a.fragment != b.fragment ? a.fragment < b.fragment : a.stretch < b.stretch;
+    }
+  };
+  using Trees = std::map<Solid, std::shared_ptr<const simulator::Bvh>>;
 
   const simulator::Bvh* tree_of(Shell& shell, const std::shared_ptr<const ReplayMaterial>& material,
-                                std::size_t stretch);
-  void renew(const ReplayMaterial& material, simulator::BoneMoment& bone,
-             const RigidTransform& bone_from_tool, const simulator::Bvh& tree);
+                                const Solid& solid);
+  void renew(const simulator::BoneMoment& bone, const std::optional<simulator::KerfAtHand>& kerf,
+             const simulator::KerfPlane& own, const simulator::Bvh& tree);
 
-  /// By stretch; null while one is being built.
+  /// Null while one is being built.
   std::shared_ptr<Trees> trees_ = std::make_shared<Trees>();
   KerfSection section_;
-  /// Of which moment, and in which plane.
+  /// Of which fragment and moment, and in which plane.
+  std::int32_t fragment_ = 0;
   std::uint64_t revision_ = 0;
   bool is_in_kerf_ = false, is_made_ = false;
 };

@@ -11,40 +11,53 @@ std::shared_ptr<const HistoryPicture> picture_of(
     const Progress& progress) {
   auto picture = std::make_shared<HistoryPicture>();
   picture->look = std::move(look);
-  const auto mesh_named = [&](const std::string& part, const simulator::CutSolid& solid) {
-    return lit_mesh_of(picture_id(name + " " + part), solid, picture->look);
-  };
-  const auto count = static_cast<double>(history->stretches.size());
-  for (const simulator::BoneStretch& stretch : history->stretches) {
-    report(progress, static_cast<double>(picture->stretches.size()) / count);
-    picture->stretches.push_back(
-        mesh_named("stretch " + std::to_string(stretch.from_tick), stretch.solid));
-  }
-  if (history->closed) {
-    picture->halves = {mesh_named("fixed", history->closed->fixed),
-                       mesh_named("moved", history->closed->moved)};
+  double count = 0.0, made = 0.0;
+  for (const simulator::FragmentHistory& fragment : history->fragments)
+    count += static_cast<double>(fragment.stretches.size());
+  for (std::size_t i = 0; i < history->fragments.size(); ++i) {
+    std::vector<BoneMesh>& meshes = picture->stretches.emplace_back();
+    for (const simulator::BoneStretch& stretch : history->fragments[i].stretches) {
+      report(progress, made++ / count);
+      const std::string part =
+          " fragment " + std::to_string(i) + " from " + std::to_string(stretch.from_tick);
+      meshes.push_back(lit_mesh_of(picture_id(name + part), stretch.solid, picture->look));
+    }
   }
   picture->history = std::move(history);
   return picture;
 }
 
 std::vector<BoneInScene> bones_of(const HistoryPicture& picture,
-                                  const simulator::BoneMoment& moment,
-                                  const RigidTransform& world_from_bone) {
-  BoneInScene bone;
-  bone.look = &picture.look;
-  bone.world_from_bone = world_from_bone;
-  if (moment.is_closed()) {
-    BoneInScene moved = bone;
-    bone.mesh = &picture.halves->fixed;
-    moved.mesh = &picture.halves->moved;
-    moved.world_from_bone = world_from_bone * picture.history->closed->bone_from_moved;
-    return {bone, moved};
+                                  const simulator::BoneMoment& moment) {
+  std::vector<BoneInScene> bones;
+  for (std::int32_t number = 0; number < moment.fragment_count(); ++number) {
+    const simulator::FragmentMoment& fragment = moment.fragment(number);
+    if (!fragment.is_there()) continue;
+    BoneInScene& bone = bones.emplace_back();
+    bone.mesh = &picture.stretches[static_cast<std::size_t>(number)][fragment.stretch()];
+    bone.look = &picture.look;
+    bone.world_from_bone = moment.world_from_fragment(number);
+    bone.patch = fragment.patch();
+    if (bone.patch != nullptr) bone.patch_revision = moment.revision_of(number);
   }
-  bone.mesh = &picture.stretches[moment.stretch()];
-  bone.patch = moment.patch();
-  if (bone.patch != nullptr) bone.patch_revision = moment.revision();
-  return {bone};
+  return bones;
+}
+
+void add_metal(Scene& scene, const simulator::BoneMoment& moment, const simulator::Tray& tray) {
+  for (const simulator::ImplantStay* const stay : moment.implants()) {
+    const simulator::Implant& implant = stay->implant;
+    if (!tray.has(implant.tool)) continue;
+    scene.implants.push_back(
+        {moment.world_from_fragment(implant.fragment) * implant.fragment_from_tool,
+         tray[implant.tool]});
+  }
+  for (const simulator::RimInMoment& rim : moment.rims()) {
+    const RigidTransform world_from_fragment = moment.world_from_fragment(rim.fragment);
+    HoleInScene& hole = scene.holes.emplace_back();
+    for (const Vec3& point_mm : rim.rim->points_mm)
+      hole.rim_mm.push_back(transform_point(world_from_fragment, point_mm));
+    hole.outward = transform_direction(world_from_fragment, rim.outward);
+  }
 }
 
 }  // namespace hallux::ui

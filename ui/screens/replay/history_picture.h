@@ -3,7 +3,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,13 +16,8 @@ namespace hallux::ui {
 struct HistoryPicture {
   std::shared_ptr<const simulator::BoneHistory> history;
   BoneLook look;
-  /// One for each stretch of the history.
-  std::vector<BoneMesh> stretches;
-  struct Halves {
-    BoneMesh fixed, moved;
-  };
-  /// Where the history has a closed hinge.
-  std::optional<Halves> halves;
+  /// By fragment, one for each of its stretches.
+  std::vector<std::vector<BoneMesh>> stretches;
 };
 
 /// look    of the bone
@@ -34,10 +28,12 @@ std::shared_ptr<const HistoryPicture> picture_of(
     std::shared_ptr<const simulator::BoneHistory> history, BoneLook look, const std::string& name,
     const Progress& progress = {});
 
-/// The pieces at a moment of that history as bones of a scene; they borrow both.
-/// world_from_bone  the bone's place
+/// The fragments at a moment of that history as bones of a scene; they borrow both.
 std::vector<BoneInScene> bones_of(const HistoryPicture& picture,
-                                  const simulator::BoneMoment& moment,
-                                  const RigidTransform& world_from_bone);
+                                  const simulator::BoneMoment& moment);
+
+/// Adds the wires and screws that stand at that moment, and the rims of the holes.
+/// tray  with the tools that left them
+void add_metal(Scene& scene, const simulator::BoneMoment& moment, const simulator::Tray& tray);
 
 }  // namespace hallux::ui

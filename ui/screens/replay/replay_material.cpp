@@ -1,19 +1,19 @@
 // All of a replay, made once beside the window, so that any moment of it can be shown at once.
 // Load, follow the kerfs, make the look, cut the history, thin out the curves: each takes its
 // measured share of the bar. A curve has no more points than a wide window has pixels; force keeps
-// the greatest of each stretch, so that no peak is lost. The hand is compared with the planned face
-// that it fits best.
+// the greatest of each stretch, so that no peak is lost. The tool is compared with what is planned
+// for its kind and fits it best.
 #include "ui/screens/replay/replay_material.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
 
 #include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/progress.h"
 #include "simulator/base/units.h"
+#include "simulator/bone/contact_points.h"
 #include "simulator/record/sample_force.h"
 #include "ui/jobs/attempt_jobs.h"
 #include "ui/jobs/cached_fields.h"
@@ -40,32 +40,6 @@ constexpr double made_share = 0.75;
 constexpr std::array stage_ends{0.1, 0.8, 1.0};
 constexpr std::size_t track_points = 2400;
 constexpr std::size_t speed_ticks = 20;
-/// Further from every planned face the hand is on its way; no distance is said.
-constexpr double near_plan_mm = 12.0;
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-/// How the blade stands to the planned face that it is meant for: a degree counts as a millimetre.
-struct ToPlan {
-  double distance_mm = unknown, tilt_rad = unknown;
-};
-ToPlan to_plan(const scenarios::Plan& plan, const RigidTransform& bone_from_tool, double kerf_mm) {
-  ToPlan nearest;
-  double least = std::numeric_limits<double>::infinity();
-  const Vec3 upwards = transform_direction(bone_from_tool, Vec3(0.0, 0.0, 1.0));
-  for (const scenarios::PlannedCut& cut : plan.cuts) {
-    const Vec3& normal = cut.face.normal;
-    const double off_mm =
-        glm::dot(normal, bone_from_tool.translation_mm) - cut.face.offset_mm - 0.5 * kerf_mm;
-    const double cosine = std::min(1.0, std::abs(glm::dot(normal, upwards)));
-    const double tilt_rad = std::acos(cosine);
-    const double misfit = std::abs(off_mm) + degree_from_radian(tilt_rad);
-    if (misfit >= least) continue;
-    least = misfit;
-    nearest = {off_mm, tilt_rad};
-  }
-  return std::abs(nearest.distance_mm) <= near_plan_mm ? nearest : ToPlan{};
-}
-
 void measure_bone(ReplayMaterial& material, const simulator::Bone& bone) {
   material.world_from_bone = bone.world_from_bone;
   Vec3 low = bone.outer.points_mm.front(), high = low;
@@ -112,18 +86,19 @@ struct ReplayOrder {
 void complete(ReplayMaterial& material, ReplayOrder order, const Progress& reached) {
   AttemptMaterial& attempt = order.attempt;
   material.plan = plan_on(attempt.scenario, attempt.bone);
+  material.tray = scenarios::tray_of(attempt.scenario);
   measure_bone(material, attempt.bone);
   cancelled_as(stopped, [&] {
     assessment::OpenedFields opened = order.follow(attempt, part_of(reached, 0.0, follow_share));
     BoneLook look =
         cached_look_of(order.directory, attempt.bone, part_of(reached, follow_share, look_share));
-    auto history = simulator::build_history(
-        {attempt.bone, attempt.recording, std::move(opened), planned_bridges(material.plan)},
-        part_of(reached, look_share, history_share));
+    auto history = simulator::build_history({attempt.bone, attempt.recording, std::move(opened),
+                                             planned_bridges(material.plan), material.tray},
+                                            part_of(reached, look_share, history_share));
     material.bone = picture_of(std::move(history), std::move(look), order.name,
                                part_of(reached, history_share, 1.0));
   });
-  const simulator::CutSolid& whole = material.bone->stretches.front().solid;
+  const simulator::CutSolid& whole = material.bone->stretches.front().front().solid;
   const simulator::Bvh tree(whole.mesh);
   material.faces = planned_faces(whole, tree, material.plan);
   material.events = events_of(attempt.recording);
@@ -132,6 +107,33 @@ void complete(ReplayMaterial& material, ReplayOrder order, const Progress& reach
   material.samples = std::move(attempt.recording.samples);
   material.scenario = std::move(attempt.scenario);
   material.curves = curves_of(material, {0.0, material.duration_s});
+}
+
+/// Nothing while no saw is in the hand.
+ToPlan sawn_to_plan(const ReplayMaterial& material, const ToolAtMoment& tool,
+                    const RigidTransform& bone_from_tool) noexcept {
+  if (tool.held != HeldTool::Saw) return {};
+  return saw_to_plan(material.plan, bone_from_tool,
+                     std::get<simulator::Saw>(*tool.tool).blade.kerf_mm);
+}
+
+ToPlan hand_to_plan(const ReplayMaterial& material, const ToolAtMoment& tool,
+                    const RigidTransform& bone_from_tool) {
+  switch (tool.held) {
+    case HeldTool::Driver:
+      return driver_to_plan(material.plan, bone_from_tool, *tool.tool);
+    case HeldTool::Forceps: {
+      const auto fragment = static_cast<std::size_t>(tool.grip->fragment);
+      const auto& fragments = material.bone->history->fragments;
+      const bool is_known = fragment < fragments.size() && fragments[fragment].whole != nullptr;
+      if (!is_known) return {};
+      return piece_moved(bone_from_tool,
+                         simulator::centroid_of(fragments[fragment].whole->solid.mesh));
+    }
+    case HeldTool::Saw:
+      break;
+  }
+  return sawn_to_plan(material, tool, bone_from_tool);
 }
 
 Progress progress_to(WorkReport& report) {
@@ -209,9 +211,9 @@ Curves curves_of(const ReplayMaterial& material, const TimeRange& range) {
     for (std::size_t j = i; j < end; ++j)
       force = std::max(force, simulator::force_size_newton(samples[j]));
     const double time_s = second_from_tick(samples[i].tick);
-    const ToPlan plan =
-        to_plan(material.plan, bone_from_world * transform_from(samples[i].world_from_tool),
-                material.scenario.saw.blade.kerf_mm);
+    const ToPlan plan = sawn_to_plan(
+        material, tool_at(material.bone->history->hand, material.tray, samples[i].tick),
+        bone_from_world * transform_from(samples[i].world_from_tool));
     curves.force_newton.push_back({time_s, force});
     curves.to_plan_mm.push_back({time_s, std::abs(plan.distance_mm)});
   }
@@ -224,13 +226,16 @@ HandAtMoment hand_at(const ReplayMaterial& material, double time_s) noexcept {
   const auto next = std::upper_bound(
       material.samples.begin(), material.samples.end(), tick,
       [](std::int64_t wanted, const ToolSample& sample) { return wanted < sample.tick; });
+  hand.tool = tool_at(material.bone->history->hand, material.tray, tick);
   if (material.samples.empty()) return hand;
   const auto index = next == material.samples.begin()
                          ? std::size_t{0}
                          : static_cast<std::size_t>(next - material.samples.begin()) - 1;
   const ToolSample& sample = material.samples[index];
   hand.world_from_tool = transform_from(sample.world_from_tool);
-  hand.is_saw_on = has(sample.status, ToolStatus::SawOn);
+  hand.tool = tool_at(material.bone->history->hand, material.tray, sample.tick);
+  hand.is_running =
+      has(sample.status, ToolStatus::SawOn) || has(sample.status, ToolStatus::DriveOn);
   hand.is_paused = !has(sample.status, ToolStatus::Running);
   hand.force_newton = simulator::force_size_newton(sample);
   const ToolSample& before = material.samples[index - std::min(index, speed_ticks)];
@@ -238,11 +243,8 @@ HandAtMoment hand_at(const ReplayMaterial& material, double time_s) noexcept {
       hand.world_from_tool.translation_mm - transform_from(before.world_from_tool).translation_mm;
   if (sample.tick > before.tick)
     hand.speed_mm_s = glm::length(way) / second_from_tick(sample.tick - before.tick);
-  const ToPlan plan =
-      to_plan(material.plan, inverse(material.world_from_bone) * hand.world_from_tool,
-              material.scenario.saw.blade.kerf_mm);
-  hand.to_plan_mm = plan.distance_mm;
-  hand.tilt_rad = plan.tilt_rad;
+  hand.to_plan =
+      hand_to_plan(material, hand.tool, inverse(material.world_from_bone) * hand.world_from_tool);
   return hand;
 }
 

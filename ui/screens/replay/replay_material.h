@@ -15,6 +15,7 @@
 #include "ui/screens/pictures/planned_frame.h"
 #include "ui/screens/replay/history_picture.h"
 #include "ui/screens/replay/seen_views.h"
+#include "ui/screens/replay/tool_at_moment.h"
 #include "ui/widgets/charts/timeline.h"
 #include "ui/window/shell/background.h"
 
@@ -22,13 +23,12 @@ namespace hallux::ui {
 
 /// What the hand did at one moment. What is not known there is not a number.
 struct HandAtMoment {
+  /// Of saw or driver; while forceps hold a piece, of the piece.
   RigidTransform world_from_tool;
-  bool is_saw_on = false, is_paused = false;
+  ToolAtMoment tool;
+  bool is_running = false, is_paused = false;
   double force_newton = 0.0, speed_mm_s = 0.0;
-  /// Signed: positive is short of the planned face, on its waste.
-  double to_plan_mm = 0.0;
-  /// Between the blade and that face.
-  double tilt_rad = 0.0;
+  ToPlan to_plan;
 };
 
 /// Along the time, x in seconds; no more points than a wide window has pixels.
@@ -44,6 +44,7 @@ struct ReplayMaterial {
   scenarios::Plan plan;
   /// By cut of the plan.
   std::vector<PlannedFace> faces;
+  simulator::Tray tray;
   RigidTransform world_from_bone;
   Vec3 middle_in_bone_mm{0.0, 0.0, 0.0};
   double radius_mm = 30.0;
@@ -72,10 +73,11 @@ std::shared_ptr<const ReplayMaterial> make_replay(const scenarios::Scenario& sce
                                                   const std::filesystem::path& directory,
                                                   WorkReport& report);
 
-/// Of the samples in that range, as fine as they are where it is short.
+/// Of the samples in that range, as fine as they are where it is short. The way to the plan is the
+/// saw's: while something else is in the hand there is none.
 Curves curves_of(const ReplayMaterial& material, const TimeRange& range);
 
-/// The hand at the sample of that moment, or at the last one before it.
+/// The hand at the sample of that moment, or at the last one before it; borrows from the material.
 HandAtMoment hand_at(const ReplayMaterial& material, double time_s) noexcept;
 
 }  // namespace hallux::ui

@@ -30,7 +30,6 @@ constexpr float row_height = 36.0F;
 /// Of the section beside the view along the blade.
 constexpr float inset_width = 240.0F, inset_height = 220.0F;
 constexpr CellStyle moment_cell{Type::SmallMedium, &Theme::accent};
-constexpr double swings_per_second = 9.0;  ///< as it is drawn: the true rate is a blur
 
 constexpr std::array<StandardView, 5> views{StandardView::Operator, StandardView::Dorsal,
                                             StandardView::Medial, StandardView::Plantar,
@@ -51,8 +50,6 @@ void draw_event(Ui& ui, const AttemptEvent& event, const Rect& cell) {
   ui.canvas().text_in({cell.x + 22.0F, cell.y, cell.w - 22.0F, cell.h},
                       {Type::Small, ui.theme().text}, ui.text(event.words), true);
 }
-
-std::array<double, 3> array_of(const Vec3& point) { return {point.x, point.y, point.z}; }
 
 std::vector<ScoreMark> marks_of(const Texts& texts, const ReplayMaterial& material, bool is_made) {
   std::vector<ScoreMark> marks;
@@ -171,20 +168,16 @@ void ReplayScreen::draw_head(Ui& ui, const Rect& bar, Shell& shell) {
 Scene ReplayScreen::scene_of(const Ui& ui, const HandAtMoment& hand) const {
   Scene scene;
   scene.ground = ui.theme().is_dark() ? Ground::Dark : Ground::Light;
-  scene.bones = bones_of(*material().bone, *bone_, material().world_from_bone);
-  const double swing = std::sin(2.0 * pi * swings_per_second * player_.now_s());
-  scene.saw =
-      SawInScene{hand.world_from_tool, material().scenario.saw.blade, hand.is_saw_on, swing};
+  scene.bones = bones_of(*material().bone, *bone_);
+  add_metal(scene, *bone_, material().tray);
+  add_tool(scene, hand.tool, {hand.world_from_tool, hand.is_running, player_.now_s()}, *bone_,
+           *material().bone->history);
   if (shows_plan_) {
     for (const PlannedFace& face : material().faces) {
       scene.planes.push_back({material().world_from_bone * face.bone_from_face, face.half_mm});
     }
   }
-  if (picked_in_bone_mm_) {
-    scene.marks.push_back(
-        {transform_point(material().world_from_bone, bone_->moved_place(*picked_in_bone_mm_)), 6.0,
-         Ink::Harm});
-  }
+  if (picked_) scene.marks.push_back({bone_->world_place_mm(*picked_), 6.0, Ink::Harm});
   return scene;
 }
 
@@ -192,12 +185,14 @@ void ReplayScreen::draw_view(Ui& ui, const Rect& rect, Shell& shell) {
   const HandAtMoment hand = hand_at(material(), player_.now_s());
   const auto tick = static_cast<std::int64_t>(std::llround(player_.now_s() / step_s));
   bone_->move_to(tick);
-  const std::string state = std::to_string(bone_->revision()) + "/" + std::to_string(tick) +
-                            (shows_plan_ ? "/plan" : "") +
-                            (picked_in_bone_mm_ ? std::to_string(picked_in_bone_mm_->x) +
-                                                      std::to_string(picked_in_bone_mm_->y)
-                                                : std::string());
-  stage_.set_blade(hand.world_from_tool);
+  const std::string state =
+      std::to_string(bone_->revision()) + "/" + std::to_string(tick) +
+      (shows_plan_ ? "/plan" : "") +
+      (picked_ ? std::to_string(picked_->point_mm.x) + std::to_string(picked_->point_mm.y)
+               : std::string());
+  // Forceps have no blade to look along: it is the tool's that was in the hand before.
+  stage_.set_blade(hand.tool.grip == nullptr ? hand.world_from_tool
+                                             : hand.tool.grip->world_from_tool);
   look_as_seen(rect);
   const StageResponse response =
       stage_.draw(ui, shell, rect, scene_of(ui, hand),
@@ -206,16 +201,19 @@ void ReplayScreen::draw_view(Ui& ui, const Rect& rect, Shell& shell) {
   if (response.was_turned) view_ = turned_by_hand;
   if (response.was_turned_back) view_ = as_seen;
   draw_pins(ui);
-  draw_view_choices(ui, rect);
+  const bool has_section = shows_section(rect, hand);
+  draw_view_choices(ui, rect, has_section);
   draw_hand_panel(ui, inset(rect, edge), hand);
-  if (!shows_section(rect)) return;
+  if (!has_section) return;
   const Rect corner = section_corner(rect);
   inset_.draw(ui, shell, corner, material_.value(), *bone_, hand, shows_plan_);
   ui.tell("replay.section", ui.text("operate.panel.inset"), corner);
 }
 
-/// Along the blade, and where it stood beside the operation as it is seen; if there is room.
-bool ReplayScreen::shows_section(const Rect& rect) const {
+/// Of a saw in the hand, along the blade, and where it stood beside the operation as it is seen; if
+/// there is room.
+bool ReplayScreen::shows_section(const Rect& rect, const HandAtMoment& hand) const {
+  if (hand.tool.held != HeldTool::Saw) return false;
   const Rect corner = section_corner(rect);
   if (corner.x <= rect.mid_x() || corner.bottom() + 60.0F >= rect.bottom()) return false;
   if (view_ == turned_by_hand) return false;
@@ -235,18 +233,17 @@ void ReplayScreen::look_as_seen(const Rect& rect) {
 }
 
 /// What is meant by it here, below the choice.
-void ReplayScreen::draw_seen(Ui& ui, const Rect& rect) const {
+void ReplayScreen::draw_seen(Ui& ui, const Rect& rect, float until_x) const {
   const std::string words = seen_text(ui.texts(), material().seen.at(player_.now_s()));
   const float width = ui.width_of(Type::Small, words) + 24.0F;
-  const float end = shows_section(rect) ? section_corner(rect).x - 8.0F : rect.right() - edge;
-  if (rect.x + edge + width > end || rect.h < 180.0F) return;
+  if (rect.x + edge + width > until_x || rect.h < 180.0F) return;
   const Rect panel{rect.x + edge, rect.y + edge + segmented_height + 8.0F, width, 28.0F};
   draw_hud_panel(ui.canvas(), ui.theme(), panel, 14.0F);
   ui.canvas().text({panel.x + 12.0F, panel.mid_y()}, {Type::Small, ui.theme().text_secondary},
                    words);
 }
 
-void ReplayScreen::draw_view_choices(Ui& ui, const Rect& rect) {
+void ReplayScreen::draw_view_choices(Ui& ui, const Rect& rect, bool has_section) {
   const std::array<std::string_view, views.size()> labels{
       ui.text(is_made() ? "replay.made.view" : "replay.view.operator"),
       ui.text("replay.view.dorsal"), ui.text("replay.view.medial"), ui.text("replay.view.plantar"),
@@ -262,7 +259,8 @@ void ReplayScreen::draw_view_choices(Ui& ui, const Rect& rect) {
       stage_.turn_to(views[static_cast<std::size_t>(view_)]);
     }
   }
-  if (view_ == as_seen && !is_made()) draw_seen(ui, rect);
+  if (view_ == as_seen && !is_made())
+    draw_seen(ui, rect, has_section ? section_corner(rect).x - 8.0F : rect.right() - edge);
   const std::string_view plan = ui.text("replay.plan");
   const float plan_width = 44.0F + ui.width_of(Type::Body, plan) + 24.0F;
   if (width + plan_width + 16.0F > room) return;
@@ -276,9 +274,8 @@ void ReplayScreen::draw_pins(Ui& ui) {
   for (std::size_t i = 0; i < remarks.order.size(); ++i) {
     const database::AttemptMoment& moment = remarks.moment(remarks.order[i]);
     if (!moment.place) continue;
-    const auto& place = moment.place->point_in_bone_mm;
-    const Vec3 now = bone_->moved_place(Vec3(place[0], place[1], place[2]));
-    const auto seen = stage_.seen_at(transform_point(material().world_from_bone, now));
+    const auto seen =
+        stage_.seen_at(bone_->world_place_mm(places_.of(*material().bone->history, *moment.place)));
     if (!seen) continue;
     if (notes_->chosen() == i) ui.canvas().ring(*seen, 12.0F, ui.theme().text, 2.0F);
     draw_remark_badge(ui, *seen, remarks, remarks.order[i]);
@@ -286,9 +283,8 @@ void ReplayScreen::draw_pins(Ui& ui) {
 }
 
 void ReplayScreen::pick(const SightRay& ray) {
-  const RigidTransform bone_from_world = inverse(material().world_from_bone);
-  picked_in_bone_mm_ = bone_->first_hit(transform_point(bone_from_world, ray.from_mm),
-                                        transform_direction(bone_from_world, ray.direction));
+  picked_ = bone_->first_hit(ray.from_mm, ray.direction);
+  if (picked_) picked_ = material().bone->history->place_at_last(*picked_);
 }
 
 void ReplayScreen::draw_panel(Ui& ui, const Rect& rect, Shell& shell) {
@@ -344,8 +340,7 @@ void ReplayScreen::draw_ledger(Ui& ui, const Rect& rect) {
   const database::LedgerLine& line =
       score.ledger[order[static_cast<std::size_t>(*response.opened)]];
   ledger_.chosen = {line.item};
-  const auto& place = line.place_in_bone_mm;
-  picked_in_bone_mm_ = Vec3(place[0], place[1], place[2]);
+  picked_ = places_.of(*material().bone->history, {0, line.place_in_bone_mm});
   player_.look_at(static_cast<double>(line.start_us) / 1.0e6);
 }
 
@@ -427,14 +422,14 @@ database::AttemptMoment ReplayScreen::moment_now() const {
     moment.moment_us =
         std::clamp<std::int64_t>(moment.moment_us, 0, std::max<std::int64_t>(0, last_us));
   }
-  if (picked_in_bone_mm_) moment.place = database::BonePoint{0, array_of(*picked_in_bone_mm_)};
+  if (picked_) moment.place = bone_point_of(*material().bone->history, *picked_);
   return moment;
 }
 
 void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
   const std::string clock = clock_text(player_.now_s());
   const auto about = [&](const char* with_place, const char* without) {
-    return ui.texts().say(picked_in_bone_mm_ ? with_place : without, {{"moment", clock}});
+    return ui.texts().say(picked_ ? with_place : without, {{"moment", clock}});
   };
   const std::string asked = about("replay.ask.placed", "replay.ask.unplaced");
   const database::AttemptHeader& header = material().header;
@@ -463,7 +458,7 @@ void ReplayScreen::draw_forms(Ui& ui, Shell& shell) {
                       .add_note({header.id, moment, is_private, words});
                 });
   if (!was_pinned && !was_asked) return;
-  picked_in_bone_mm_.reset();
+  picked_.reset();
   tab_ = notes_tab;
   notes_->read_again();
   ui.want_frame_in_s(0.0);

@@ -13,6 +13,7 @@
 #include "ui/screens/replay/blade_inset.h"
 #include "ui/screens/replay/made_replays.h"
 #include "ui/screens/replay/notes_panel.h"
+#include "ui/screens/replay/pinned_places.h"
 #include "ui/screens/replay/player.h"
 #include "ui/screens/replay/replay_material.h"
 #include "ui/screens/replay/replay_timeline.h"
@@ -54,11 +55,11 @@ class ReplayScreen : public Screen {
   void draw_replay(Ui& ui, const Rect& content, Shell& shell);
   void draw_head(Ui& ui, const Rect& bar, Shell& shell);
   void draw_view(Ui& ui, const Rect& rect, Shell& shell);
-  void draw_view_choices(Ui& ui, const Rect& rect);
+  void draw_view_choices(Ui& ui, const Rect& rect, bool has_section);
   /// Shows what was on the screen at this moment, where that is chosen.
-  bool shows_section(const Rect& rect) const;
+  bool shows_section(const Rect& rect, const HandAtMoment& hand) const;
   void look_as_seen(const Rect& rect);
-  void draw_seen(Ui& ui, const Rect& rect) const;
+  void draw_seen(Ui& ui, const Rect& rect, float until_x) const;
   void draw_pins(Ui& ui);
   Scene scene_of(const Ui& ui, const HandAtMoment& hand) const;
   void pick(const SightRay& ray);
@@ -92,7 +93,8 @@ class ReplayScreen : public Screen {
   const Remarks no_remarks_;
   MessageForm ask_, pin_;
   TableState ledger_, events_;
-  std::optional<Vec3> picked_in_bone_mm_;
+  PinnedPlaces places_;
+  std::optional<simulator::PlaceOnFragment> picked_;
   int tab_ = notes_tab;
   /// Of the views, 0 as it was seen; none once somebody has turned it.
   int view_ = 0;

@@ -36,6 +36,7 @@ TEST(CutBands, ShowWhatTheRubricOfEachShippedOperationScores) {
   for (const auto& shipped : scenarios::shipped_scenarios()) {
     const scenarios::Scenario scenario =
         scenarios::load_shipped_scenario(std::filesystem::path(shipped.name).stem().string());
+    int of_all = 0;
     for (const scenarios::ReferenceCut& cut : scenario.cuts) {
       const CutBands bands = bands_of(scenario.rubric, cut.name);
       int shown = 0;
@@ -53,8 +54,9 @@ TEST(CutBands, ShowWhatTheRubricOfEachShippedOperationScores) {
         }
       }
       EXPECT_EQ(shown, bands.angle_deg.has_value() + bands.location_mm.has_value()) << cut.name;
-      EXPECT_GT(shown, 0) << shipped.name << ", " << cut.name;
+      of_all += shown;
     }
+    EXPECT_GT(of_all, 0) << shipped.name;
   }
 }
 

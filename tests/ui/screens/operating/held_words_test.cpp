@@ -18,8 +18,7 @@ class AHalfSawnCut : public testing::Test {
  protected:
   std::string reason_in(AttemptKind kind) {
     PreparedCase prepared = forked_case(16.0);
-    std::vector<StepKind> steps = kinds_of(prepared.scenario);
-    VirtualOperation operation(std::move(prepared), std::move(steps), kind);
+    VirtualOperation operation(std::move(prepared), kind);
     const auto share = [&] {
       return operation.site() == nullptr ? 1.0 : operation.site()->cuts.front().share;
     };

@@ -7,9 +7,9 @@ namespace hallux::ui {
 using scenarios::StepKind;
 
 LedOperation::LedOperation(database::AttemptKind kind) : session(kind) {
-  session.make_ready(
-      {StepKind::Verify, StepKind::Cut, StepKind::Remove, StepKind::Close, StepKind::Finish},
-      LedSaw({Quat(1.0, 0.0, 0.0, 0.0), start_mm}, {0.0, 0.0, 0.0}));
+  session.make_ready(StepProgress({StepKind::Verify, StepKind::Cut, StepKind::Remove,
+                                   StepKind::Close, StepKind::Finish}),
+                     LedSaw({Quat(1.0, 0.0, 0.0, 0.0), start_mm}, {0.0, 0.0, 0.0}));
   session.begin();
   session.run(attempt, device);
 }

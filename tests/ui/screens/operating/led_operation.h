@@ -19,7 +19,17 @@ class NotedAttempt final : public AttemptControls {
   void declare_done(std::int32_t step) override { told.push_back("done " + std::to_string(step)); }
   void reopen(std::int32_t step) override { told.push_back("reopen " + std::to_string(step)); }
   void pick_up(std::int32_t piece) override { told.push_back("pick up " + std::to_string(piece)); }
-  void close_hinge() override { told.emplace_back("close hinge"); }
+  void close_hinge(std::int32_t hinge) override {
+    told.push_back("close hinge " + std::to_string(hinge));
+  }
+  void choose_tool(std::int32_t place) override { told.push_back("take " + std::to_string(place)); }
+  void grip(std::int32_t piece) override { told.push_back("grip " + std::to_string(piece)); }
+  void impact() override { told.emplace_back("impact"); }
+  void release() override { told.emplace_back("release"); }
+  void leave_implant() override { told.emplace_back("leave"); }
+  void take_implant(std::int32_t implant) override {
+    told.push_back("take hold " + std::to_string(implant));
+  }
   void finish() override { told.emplace_back("finish"); }
   void abandon() override { told.emplace_back("abandon"); }
   bool is_storage_full() const noexcept override { return is_full; }

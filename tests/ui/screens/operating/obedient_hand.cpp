@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "ui/screens/operating/fixation_hints.h"
 #include "ui/screens/operating/hand/start_place.h"
 #include "ui/screens/operating/hand/steering.h"
 
@@ -14,6 +15,8 @@ namespace {
 using simulator::PointerMotion;
 
 constexpr int at_once = 8;
+/// Who drives something home waits until it is.
+constexpr int ticks_of_driving = 2500;
 /// Of a drag that turns the view.
 constexpr double look_rad = 0.1;
 
@@ -60,10 +63,42 @@ PointerMotion motion_of(const Hint& hint) {
     case HandMove::RollRight:
       motion.rolled_rad = -turn_rad;
       break;
+    case HandMove::Nearer:
+      motion.deeper_mm = -way_mm;
+      break;
+    case HandMove::Deeper:
+      motion.deeper_mm = way_mm;
+      break;
     default:
       break;
   }
   return motion;
+}
+
+/// As the keys of the tray and of the forceps do.
+void work(VirtualOperation& operation, const Hint& hint) {
+  OperatingSession& session = operation.session();
+  const CoachView view = coach_view(operation.sources());
+  switch (hint.move) {
+    case HandMove::OpenTray:
+      session.open_tray();
+      session.close_tray(hint.place);
+      break;
+    case HandMove::WorkForceps: {
+      const std::optional<std::size_t> shift = shift_at_hand(view);
+      session.work_forceps(shift ? piece_of_shift(view, *shift) : view.site->reach.piece);
+      break;
+    }
+    case HandMove::DriveHome:
+      session.drive_home();
+      operation.advance(ticks_of_driving);
+      break;
+    case HandMove::LeaveOrTake:
+      session.leave_or_take(view.is_in_bore, view.site->reach.implant);
+      break;
+    default:
+      break;
+  }
 }
 
 }  // namespace
@@ -81,8 +116,9 @@ void obey(VirtualOperation& operation, const Hint& hint) {
   if (hint.move == HandMove::TakeUpStep) {
     const auto step = step_to_take_up(coach_view(operation.sources()));
     ASSERT_TRUE(step.has_value()) << "a hint for what cannot be done";
-    operation.session().reopen_step(*step);
+    operation.session().take_up_step(*step);
   }
+  work(operation, hint);
   operation.advance(ticks_per_look, motion_of(hint));
 }
 

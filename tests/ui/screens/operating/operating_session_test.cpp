@@ -31,7 +31,7 @@ LiveEnd sealed() {
 TEST(OperatingSession, BeginsOnceAndMayBeLeftUntilThen) {
   OperatingSession session(database::AttemptKind::Practice);
   EXPECT_FALSE(session.begin()) << "nothing is laid out yet";
-  session.make_ready({scenarios::StepKind::Finish}, LedSaw());
+  session.make_ready(StepProgress({scenarios::StepKind::Finish}), LedSaw());
   EXPECT_EQ(session.phase(), Phase::Ready);
   EXPECT_EQ(session.staying(), Staying::No);
   EXPECT_TRUE(session.begin());
@@ -191,20 +191,20 @@ TEST(OperatingSession, DeclaresStepsAsTheyAreDoneAndAsksAtTheLast) {
   session.press_step(true, 7.0);
   EXPECT_EQ(session.asked(), Asked::Finish);
   EXPECT_THAT(operation.attempt.told, ElementsAre("done 0", "done 1", "pick up 3", "pick up 1",
-                                                  "done 2", "close hinge", "done 3", "pause"));
+                                                  "done 2", "close hinge 0", "done 3", "pause"));
 }
 
 TEST(OperatingSession, TellsWhatDidNotComeOff) {
   LedOperation operation;
   OperatingSession& session = operation.session;
   EXPECT_THAT(session.apply(std::vector{event_of(CutEventKind::KerfRefused)}, 1.0),
-              ElementsAre(StepNotice::KerfRefused));
+              ElementsAre(Notice::KerfRefused));
   session.press_step(true, 1.0);
   session.press_step(true, 1.0);
   session.see(std::vector<scenarios::WantedPart>{{{1}, true}});
   session.press_step(true, 1.0);
   EXPECT_THAT(session.apply({}, 20.9), IsEmpty());
-  EXPECT_THAT(session.apply({}, 21.0), ElementsAre(StepNotice::NothingFree));
+  EXPECT_THAT(session.apply({}, 21.0), ElementsAre(Notice::NothingFree));
   EXPECT_THAT(session.apply({}, 50.0), IsEmpty()) << "said once";
 }
 
@@ -227,7 +227,7 @@ TEST(OperatingSession, TakesAStepUpAgainAndGoesOnAfterIt) {
   OperatingSession& session = operation.session;
   session.press_step(true, 1.0);
   session.press_step(true, 2.0);
-  session.reopen_step(1);
+  session.take_up_step(1);
   EXPECT_EQ(session.steps().step(), 1U);
   EXPECT_FALSE(session.steps().is_done(1));
   session.press_step(true, 3.0);

@@ -65,7 +65,7 @@ class ForkedOperation {
 
  private:
   ForkedOperation(PreparedCase prepared, database::AttemptKind kind)
-      : operation(std::move(prepared), kinds_of(scenarios::make_practice_block().scenario), kind) {}
+      : operation(std::move(prepared), chain_of(scenarios::make_practice_block().scenario), kind) {}
 };
 
 TEST(PiecesOut, OfAPartThatComesOffInTwoBothAreTakenOutTheLargestFirst) {

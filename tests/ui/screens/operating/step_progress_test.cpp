@@ -112,19 +112,80 @@ TEST(StepProgress, ARefusalIsToldAndTheStepIsAtHandAgain) {
     EXPECT_TRUE(steps.is_ready());
     return news.notice;
   };
-  EXPECT_EQ(told(CutEventKind::HingeRefused, 1), StepNotice::HingeBroken);
-  EXPECT_EQ(told(CutEventKind::HingeRefused, 2), StepNotice::HingeStiff);
-  EXPECT_EQ(told(CutEventKind::HingeRefused, 3), StepNotice::HingeMissing);
-  EXPECT_EQ(told(CutEventKind::KerfRefused, 0), StepNotice::KerfRefused);
+  EXPECT_EQ(told(CutEventKind::HingeRefused, 1), Notice::HingeBroken);
+  EXPECT_EQ(told(CutEventKind::HingeRefused, 2), Notice::HingeStiff);
+  EXPECT_EQ(told(CutEventKind::HingeRefused, 3), Notice::HingeMissing);
+  EXPECT_EQ(told(CutEventKind::KerfRefused, 0), Notice::KerfRefused);
 }
 
 TEST(StepProgress, WaitsTwentySecondsForAnAnswer) {
   StepProgress steps({StepKind::Close});
   steps.press(5.0);
   EXPECT_FALSE(steps.expire(24.9).has_value());
-  EXPECT_EQ(steps.expire(25.0), StepNotice::HingeUnanswered);
+  EXPECT_EQ(steps.expire(25.0), Notice::HingeUnanswered);
   EXPECT_FALSE(steps.expire(26.0).has_value());
   EXPECT_TRUE(steps.is_ready());
+}
+
+// -- steps that only say what they come after
+
+scenarios::Scenario in_any_order() {
+  scenarios::Scenario scenario;
+  scenario.format = 2;
+  const auto step = [](const char* id, StepKind kind, std::vector<std::string> after) {
+    scenarios::OperationStep made;
+    made.id = id;
+    made.kind = kind;
+    made.after = std::move(after);
+    return made;
+  };
+  scenario.steps = {step("verify", StepKind::Verify, {}),
+                    step("hold", StepKind::Retract, {"verify"}),
+                    step("one", StepKind::Cut, {"verify", "hold"}),
+                    step("other", StepKind::Cut, {"verify", "hold"}),
+                    step("finish", StepKind::Finish, {"one", "other"})};
+  scenario.steps[1].is_optional = true;
+  return scenario;
+}
+
+TEST(StepProgress, OfSeveralThatMayBeDoneNextAnotherIsChosen) {
+  const scenarios::Scenario scenario = in_any_order();
+  StepProgress steps(scenario);
+  EXPECT_FALSE(steps.can_choose(1)) << "nothing comes before the first";
+  steps.end_step();
+  EXPECT_EQ(steps.step(), 1U);
+  EXPECT_TRUE(steps.can_choose(2)) << "the optional one may be passed over";
+  EXPECT_TRUE(steps.can_choose(3));
+  EXPECT_FALSE(steps.can_choose(4));
+  steps.choose(3);
+  EXPECT_EQ(steps.end_step(), 3);
+  EXPECT_EQ(steps.step(), 2U);
+  EXPECT_FALSE(steps.can_choose(1)) << "it was passed over";
+  EXPECT_EQ(steps.end_step(), 2);
+  EXPECT_EQ(steps.kind(), StepKind::Finish);
+}
+
+TEST(StepProgress, AfterAStepThatWasTakenUpAgainComesTheNextThatMayBeDone) {
+  const scenarios::Scenario scenario = in_any_order();
+  StepProgress steps(scenario);
+  for (int i = 0; i < 3; ++i) steps.end_step();
+  EXPECT_EQ(steps.step(), 3U);
+  EXPECT_TRUE(steps.can_reopen(1));
+  steps.reopen(1);
+  EXPECT_EQ(steps.step(), 1U);
+  steps.end_step();
+  EXPECT_EQ(steps.step(), 3U);
+}
+
+TEST(StepProgress, WhatIsTrimmedIsTakenOutOrEndsUnfinished) {
+  StepProgress steps({StepKind::Trim, StepKind::Trim});
+  EXPECT_TRUE(steps.is_ready());
+  EXPECT_EQ(steps.press(0.0), StepDeed::EndStep);
+  steps.end_step();
+  free_pieces(steps, {2});
+  steps.see(std::vector<WantedPart>{{}, {{2}, true}});
+  EXPECT_EQ(steps.press(1.0), StepDeed::PickUp);
+  EXPECT_TRUE(steps.apply(event_of(CutEventKind::PieceRemoved, 2)).is_fulfilled);
 }
 
 }  // namespace

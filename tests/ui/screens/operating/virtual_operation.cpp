@@ -7,6 +7,7 @@
 
 #include "scenarios/scenario.h"
 #include "scenarios/simulation_setup.h"
+#include "scenarios/tray/laid_out_tools.h"
 #include "simulator/record/sample_force.h"
 #include "ui/screens/operating/hand/start_place.h"
 
@@ -24,17 +25,19 @@ PreparedCase coarse_case(const std::string& scenario, double edge_mm) {
 
 }  // namespace
 
-std::vector<scenarios::StepKind> kinds_of(const scenarios::Scenario& scenario) {
+StepProgress chain_of(const scenarios::Scenario& scenario) {
   std::vector<scenarios::StepKind> kinds;
   for (const scenarios::OperationStep& step : scenario.steps) kinds.push_back(step.kind);
-  return kinds;
+  return StepProgress(std::move(kinds));
 }
 
 VirtualOperation::VirtualOperation(const std::string& scenario, double edge_mm)
-    : VirtualOperation(coarse_case(scenario, edge_mm),
-                       kinds_of(scenarios::load_shipped_scenario(scenario))) {}
+    : VirtualOperation(coarse_case(scenario, edge_mm)) {}
 
-VirtualOperation::VirtualOperation(PreparedCase prepared, std::vector<scenarios::StepKind> steps,
+VirtualOperation::VirtualOperation(PreparedCase prepared, database::AttemptKind kind)
+    : VirtualOperation(std::move(prepared), std::nullopt, kind) {}
+
+VirtualOperation::VirtualOperation(PreparedCase prepared, std::optional<StepProgress> steps,
                                    database::AttemptKind kind)
     : prepared_(std::move(prepared)),
       setup_(simulation_setup(prepared_.scenario, prepared_.bone, prepared_.plan,
@@ -50,8 +53,9 @@ VirtualOperation::VirtualOperation(PreparedCase prepared, std::vector<scenarios:
   for (std::size_t cut = 0; cut < prepared_.plan.cuts.size(); ++cut)
     passes_.push_back(planned_passes(prepared_.scenario, prepared_.plan, cut, whole, tree));
   world_from_view = start_camera(prepared_).world_from_view;
-  session_.make_ready(std::move(steps),
-                      LedSaw(start_pose(prepared_), start_camera(prepared_).target_mm));
+  session_.make_ready(steps ? std::move(*steps) : StepProgress(prepared_.scenario),
+                      LedSaw(start_pose(prepared_), start_camera(prepared_).target_mm),
+                      ToolsInHand(laid_out_tools(prepared_.scenario)));
   session_.begin();
   session_.run(*this, mouse_);
   say({simulator::CommandKind::Start, 0, 0});
@@ -138,7 +142,6 @@ void VirtualOperation::step_once() {
 /// On the operation's own clock.
 void VirtualOperation::survey() {
   const SiteSurvey::Time now{std::chrono::milliseconds(tick_ + 1'000'000)};
-  if (cut_.closed_hinge() != nullptr) return site_.reset();
   if (std::optional<SiteFacts> facts = survey_.renew(cut_, now)) site_ = std::move(facts);
 }
 

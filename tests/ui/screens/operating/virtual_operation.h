@@ -18,16 +18,18 @@
 
 namespace hallux::ui {
 
-/// Of all steps of a scenario.
-std::vector<scenarios::StepKind> kinds_of(const scenarios::Scenario& scenario);
+/// Of all steps of a scenario, as a chain.
+StepProgress chain_of(const scenarios::Scenario& scenario);
 
 class VirtualOperation final : private CommandControls {
  public:
   /// A coarse patient of a shipped scenario; practice, with the clock running.
   explicit VirtualOperation(const std::string& scenario, double edge_mm = 1.0);
-  /// steps  of the session
-  VirtualOperation(PreparedCase prepared, std::vector<scenarios::StepKind> steps,
-                   database::AttemptKind kind = database::AttemptKind::Practice);
+  explicit VirtualOperation(PreparedCase prepared,
+                            database::AttemptKind kind = database::AttemptKind::Practice);
+  /// steps  of the session; nothing: those of its scenario
+  VirtualOperation(PreparedCase prepared, std::optional<StepProgress> steps,
+                   database::AttemptKind kind);
 
   /// So much time, with these motions of the hand in the first frame of it.
   void advance(int ticks, const simulator::PointerMotion& motion = {});

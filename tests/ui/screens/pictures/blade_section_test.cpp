@@ -213,7 +213,7 @@ TEST(ContactHalo, TellsBeforeOnAndBehindTheBone) {
   saw.blade = block.blade;
   const auto halo_at = [&](double above_mm, const Vec3& eye_mm) {
     saw.world_from_tool = Block::above(above_mm);
-    return contact_halo(bone, saw, eye_mm);
+    return contact_halo(std::span(&bone, 1), saw, eye_mm);
   };
   const auto before = halo_at(9.0, in_front);
   ASSERT_TRUE(before);
@@ -225,7 +225,7 @@ TEST(ContactHalo, TellsBeforeOnAndBehindTheBone) {
   EXPECT_FALSE(halo_at(halo_reach_mm + 1.0, in_front)) << "too far to say";
   saw.world_from_tool = Block::above(5.0);
   saw.world_from_tool.translation_mm.z = 30.0;
-  EXPECT_FALSE(contact_halo(bone, saw, in_front)) << "it would pass the bone";
+  EXPECT_FALSE(contact_halo(std::span(&bone, 1), saw, in_front)) << "it would pass the bone";
 }
 
 TEST(ContactHalo, TheNearestToothCounts) {

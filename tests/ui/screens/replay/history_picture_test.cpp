@@ -58,7 +58,7 @@ double shown_mm3(const BoneInScene& bone) {
 }
 
 double shown_mm3(const World& world, const simulator::BoneMoment& moment) {
-  return shown_mm3(bones_of(*world.picture, moment, {}).front());
+  return shown_mm3(bones_of(*world.picture, moment).front());
 }
 
 /// What scoring rebuilds of the recording up to a tick.
@@ -78,7 +78,7 @@ TEST(HistoryPicture, HoldsAtEachTickWhatScoringRebuildsButForHalfASpacingBeforeT
   const simulator::Blade& blade = world.operation.scenario.saw.blade;
   const double before_teeth_mm3 =
       0.5 * simulator::FieldGrid{}.spacing_mm * blade.width_mm * blade.kerf_mm;
-  ASSERT_EQ(world.history->stretches.size(), 2U) << "two cuts, one after the other";
+  ASSERT_EQ(world.history->fragments.at(0).stretches.size(), 2U) << "two cuts, one after the other";
   for (const simulator::KerfGrowth& kerf : world.history->kerfs) {
     ASSERT_GT(kerf.ticks.size(), 100U);
     for (std::size_t i = 0; i < kerf.ticks.size(); i += kerf.ticks.size() / 7) {
@@ -107,7 +107,7 @@ TEST(HistoryPicture, ScrubbedBackwardsTheBoneIsWholeAgain) {
 
 TEST(HistoryPicture, APieceThatWasTakenOutIsGoneFromThenOn) {
   const World world;
-  ASSERT_EQ(world.history->taken.size(), 1U);
+  ASSERT_EQ(world.history->fragments.at(0).taken.size(), 1U);
   simulator::BoneMoment moment(*world.history);
   moment.move_to(world.operation.wedge_out_tick - 1);
   const double before_mm3 = shown_mm3(world, moment);
@@ -132,17 +132,24 @@ TEST(HistoryPicture, ARayMeetsTheSkinAndLooksThroughAnOpenKerf) {
   const World world;
   simulator::BoneMoment moment(*world.history);
   moment.move_to(0);
+  const RigidTransform& world_from_bone = world.operation.bone.world_from_bone;
+  const auto hit_from = [&](const Vec3& from, const Vec3& direction) {
+    return moment.first_hit(transform_point(world_from_bone, from),
+                            transform_direction(world_from_bone, direction));
+  };
   const Vec3 from(20.0, 40.0, 1.0), down(0.0, -1.0, 0.0);
-  const std::optional<Vec3> hit = moment.first_hit(from, down);
+  const std::optional<simulator::PlaceOnFragment> hit = hit_from(from, down);
   ASSERT_TRUE(hit.has_value());
-  EXPECT_NEAR(simulator::Bvh(world.operation.bone.outer).signed_distance_mm(*hit), 0.0, 1.0e-9);
-  EXPECT_FALSE(moment.first_hit(from, -down).has_value());
+  EXPECT_EQ(hit->fragment, 0);
+  EXPECT_NEAR(simulator::Bvh(world.operation.bone.outer).signed_distance_mm(hit->point_mm), 0.0,
+              1.0e-9);
+  EXPECT_FALSE(hit_from(from, -down).has_value());
   // Over the wedge, half way to the medial side: bone before it was taken out, nothing there
   // afterwards.
   const Vec3 over_wedge(7.3, 40.0, -4.0);
-  EXPECT_TRUE(moment.first_hit(over_wedge, down).has_value());
+  EXPECT_TRUE(hit_from(over_wedge, down).has_value());
   moment.move_to(world.operation.wedge_out_tick);
-  EXPECT_FALSE(moment.first_hit(over_wedge, down).has_value());
+  EXPECT_FALSE(hit_from(over_wedge, down).has_value());
 }
 
 TEST(HistoryPicture, ARecordingWithoutACutShowsTheWholeBone) {
@@ -154,7 +161,7 @@ TEST(HistoryPicture, ARecordingWithoutACutShowsTheWholeBone) {
   const auto picture = picture_of(history, look_of(1, world.operation.bone), "uncut");
   simulator::BoneMoment moment(*history);
   moment.move_to(300);
-  const std::vector<BoneInScene> bones = bones_of(*picture, moment, {});
+  const std::vector<BoneInScene> bones = bones_of(*picture, moment);
   ASSERT_EQ(bones.size(), 1U);
   EXPECT_EQ(bones.front().patch, nullptr);
 }

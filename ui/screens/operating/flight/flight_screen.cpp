@@ -69,7 +69,7 @@ void FlightScreen::lay_block(Ui& ui, Shell& shell) {
   };
   block_ = std::make_unique<Block>();
   OperatingField& field = block_->field;
-  field.make_ready(prepared_.value(), {scenarios::StepKind::Remove});
+  field.make_ready(prepared_.value(), StepProgress({scenarios::StepKind::Remove}));
   world_from_first_view_ = field.viewport().world_from_view();
   static_cast<void>(field.session().begin());
   auto laid = std::make_shared<Laid>();
@@ -187,7 +187,7 @@ OperatingHud FlightScreen::hud(const Ui& ui, Shell& shell) {
 void FlightScreen::draw_hud(Ui& ui, Shell& shell) {
   const HudAnswer answer = draw_operating_hud(ui, hud(ui, shell));
   OperatingSession& session = block_->field.session();
-  block_->field.answer(answer);
+  block_->field.answer(answer, ui.texts());
   if (answer.step) session.press_step(true, ui.time_s());
   if (answer.abandon) return shell.pop();
   if (answer.skip) skip(ui);

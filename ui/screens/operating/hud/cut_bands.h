@@ -1,5 +1,5 @@
 /// The rubric's bands of the cut at hand, as live read-outs show them: where full points end, and
-/// where none are left.
+/// where none are left. Inside this corner only.
 #pragma once
 
 #include <optional>

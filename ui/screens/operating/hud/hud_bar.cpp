@@ -1,5 +1,5 @@
 // Mode and time at the left, steps in the middle or below, health and end at the right. A done step
-// is a button where it can be taken up again.
+// is a button where it can be taken up again, and so is another that may be done next.
 #include "ui/screens/operating/hud/hud_bar.h"
 
 #include "ui/widgets/charts/timeline.h"
@@ -76,9 +76,18 @@ void draw_done(Hud& in, Point centre, std::size_t step) {
         "operate.take_up",
         {{"number", std::to_string(step + 1)}, {"step", in.hud.steps[step].title}});
     const Rect place{centre.x - 15.0F, centre.y - 15.0F, 30.0F, 30.0F};
-    if (icon_button(in.ui, id, place, {label})) in.answer.reopen = step;
+    if (icon_button(in.ui, id, place, {label})) in.answer.take_up = step;
   }
   draw_meaning(in.canvas(), in.theme(), Meaning::Good, centre, 8.0F);
+}
+
+/// Around the number of a step that may be done next.
+void choose_button(Hud& in, Point centre, std::size_t step) {
+  const std::string label = in.ui.texts().say(
+      "operate.choose", {{"number", std::to_string(step + 1)}, {"step", in.hud.steps[step].title}});
+  const Rect place{centre.x - 15.0F, centre.y - 15.0F, 30.0F, 30.0F};
+  if (icon_button(in.ui, "operate.step." + std::to_string(step + 1), place, {label}))
+    in.answer.take_up = step;
 }
 
 /// A step as disc and number, the one at hand with its title. Returns the width.
@@ -103,6 +112,7 @@ float draw_step(Hud& in, Point at, std::size_t step, bool has_title) {
   } else {
     canvas.ring(centre, 9.0F, in.theme().text_caption);
   }
+  if (in.hud.steps[step].can_choose) choose_button(in, centre, step);
   const Color ink = !is_now     ? in.theme().text_secondary
                     : has_title ? in.theme().accent
                                 : in.theme().on_accent;

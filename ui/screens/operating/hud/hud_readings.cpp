@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "simulator/contact/heat_law.h"
+#include "ui/screens/operating/hud/hud_aims.h"
+#include "ui/screens/operating/hud/hud_hand.h"
 #include "ui/screens/operating/hud/hud_plan.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/marks.h"
@@ -33,26 +35,13 @@ float draw_heat(Hud& in, const Rect& line) {
   return words_w + 30.0F;
 }
 
-/// A switch of the saw: a small button at the right end of a line, with its key. Returns the width.
-float draw_switch(Hud& in, const char* id, Point right_middle, const char* label, const char* key,
-                  bool& is_pressed) {
-  const std::string_view chip = in.ui.text(key);
-  const ButtonSpec spec{in.ui.text(label), ButtonLook::Ghost};
-  const float chip_w = key_chip_width(in.ui, chip);
-  const float width = in.ui.width_of(Type::BodyMedium, spec.label) + 20.0F;
-  key_chip(in.ui, {right_middle.x - chip_w, right_middle.y}, chip);
-  const Rect place{right_middle.x - chip_w - width - 2.0F, right_middle.y - 14.0F, width, 28.0F};
-  is_pressed = button(in.ui, id, place, spec);
-  return chip_w + width + 8.0F;
-}
-
 void draw_tool(Hud& in, const Rect& rect) {
   const HudPanel panel(in, "operate.panel.tool", rect);
   Canvas& canvas = in.canvas();
   const Rect inner = inset(rect, hud_pad, 0.0F);
-  const float saw_w = draw_switch(in, "operate.saw", {inner.right(), rect.y + 23.0F},
-                                  in.hud.is_saw_on ? "operate.saw.stop" : "operate.saw.start",
-                                  "key.space", in.answer.saw);
+  const float saw_w = draw_hud_switch(in, "operate.saw", {inner.right(), rect.y + 23.0F},
+                                      in.hud.is_saw_on ? "operate.saw.stop" : "operate.saw.start",
+                                      "key.space", in.answer.saw);
   canvas.text_in({inner.x, rect.y + 12.0F, inner.w - saw_w, 22.0F},
                  {Type::BodyStrong, in.theme().text}, in.ui.text("operate.saw"));
   const std::string blade = in.ui.texts().say(
@@ -70,9 +59,9 @@ void draw_tool(Hud& in, const Rect& rect) {
                               {{"rate", grouped(std::lround(in.hud.saw.cycles_per_minute))}})
           : in.text("operate.saw.still");
   const float water_w =
-      draw_switch(in, "operate.irrigation", {inner.right(), y},
-                  in.hud.is_irrigated ? "operate.irrigation.on" : "operate.irrigation.off", "key.i",
-                  in.answer.irrigation);
+      draw_hud_switch(in, "operate.irrigation", {inner.right(), y},
+                      in.hud.is_irrigated ? "operate.irrigation.on" : "operate.irrigation.off",
+                      "key.i", in.answer.irrigation);
   canvas.text_in({inner.x + 18.0F, y - 10.0F, inner.w - 18.0F - water_w, 20.0F},
                  {Type::Small, in.theme().text}, runs);
   in.ui.tell("operate.saw.state", runs, rect);
@@ -146,16 +135,29 @@ void draw_hud_readings(Hud& in, float from_y) {
   const float y = in.room.bottom() - hud_panel_height;
   const float force_w = std::min(force_panel_width, in.room.w);
   draw_force(in, in.sided({in.room.right() - force_w, y, force_w, hud_panel_height}));
+  const float tool_w = in.hud.held ? hand_panel_width : tool_panel_width;
   float left = in.room.w - force_w - hud_gap;
-  if (left < tool_panel_width) return;
-  draw_tool(in, in.sided({in.room.x, y, tool_panel_width, hud_panel_height}));
+  if (left < tool_w) return;
+  const Rect tool = in.sided({in.room.x, y, tool_w, hud_panel_height});
+  if (in.hud.held) {
+    draw_hud_hand(in, tool);
+  } else {
+    draw_tool(in, tool);
+  }
+  left -= tool_w + hud_gap;
+  const float middle = 0.5F * (in.room.x + tool_w + in.room.right() - force_w);
+  const auto between = [&](float width) {
+    return in.sided({middle - 0.5F * width, y, width, hud_panel_height});
+  };
+  if (!in.hud.aims.empty()) {
+    const float needed = aims_width(in);
+    if (needed <= left) draw_hud_aims(in, between(std::min(needed + 60.0F, left)));
+    return;
+  }
   if (!in.hud.plan) return;
-  left -= tool_panel_width + hud_gap;
   const float needed = plan_width(in);
   if (left < needed) return draw_plan_above(in, from_y);
-  const float plan_w = std::clamp(widest_plan, needed, left);
-  const float middle = 0.5F * (in.room.x + tool_panel_width + in.room.right() - force_w);
-  draw_hud_plan(in, in.sided({middle - 0.5F * plan_w, y, plan_w, hud_panel_height}));
+  draw_hud_plan(in, between(std::clamp(widest_plan, needed, left)));
 }
 
 }  // namespace hallux::ui

@@ -26,7 +26,8 @@ inline constexpr float hud_inset_share = 0.06F;
 
 struct HudStep {
   std::string title;
-  bool is_done = false, can_reopen = false;
+  /// A done one may be taken up again; another may be done next instead of the one at hand.
+  bool is_done = false, can_reopen = false, can_choose = false;
 };
 
 /// The blade against the plan, as practice shows it.
@@ -34,6 +35,28 @@ struct HudPlan {
   PlanReading blade;
   PassReading pass;
   CutBands bands;
+};
+
+/// A value of the tool's axis or of a fragment against the plan, as practice shows it.
+struct HudAim {
+  /// "aim.entry"; and what it is called, as the id of a text.
+  const char* id = "";
+  std::string_view name_id;
+  std::string value;
+};
+
+/// The tool in the hand, where there is a tray.
+struct HudTool {
+  std::string title, size;
+  /// A saw or a drill, which are cooled.
+  bool is_irrigated_kind = true;
+  /// It may stay in the bone, and stands in it.
+  bool is_implant = false, stands_in_bone = false;
+  /// Where it left others, the driver takes hold of one.
+  bool can_take = false;
+  /// Forceps hold a piece, or lie open.
+  bool is_gripping = false;
+  double rate_per_minute = 0.0;
 };
 
 /// A place of the saw on the window, and how far around it the saw reaches there.
@@ -82,6 +105,10 @@ struct OperatingHud {
   /// Beside the tip: what lies ahead, and how far off the plan.
   std::vector<std::string> tip_lines;
   std::optional<HudPlan> plan;
+  /// In place of that.
+  std::vector<HudAim> aims;
+  /// Nothing where a saw is all there is.
+  std::optional<HudTool> held;
   /// In the blade's plane; null: it is not shown.
   const BladeSection* inset = nullptr;
   HandState hand = HandState::Off;
@@ -97,12 +124,13 @@ struct OperatingHud {
 struct HudAnswer {
   bool step = false, pause = false, health = false, finish = false, abandon = false;
   bool saw = false, irrigation = false;
+  bool tray = false, forceps = false, drive_home = false, leave_or_take = false;
   /// For the next frame.
   bool are_hints_low = false;
   /// Of a lesson: it is left out, or all of it is done anew.
   bool skip = false, again = false;
-  /// A done step that is to be taken up again.
-  std::optional<std::size_t> reopen;
+  /// A step that is to be taken up: again, or instead of the one at hand.
+  std::optional<std::size_t> take_up;
 };
 
 HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud);

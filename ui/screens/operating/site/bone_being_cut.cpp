@@ -54,9 +54,10 @@ BoneBeingCut::BoneBeingCut(std::string name, const PreparedCase& prepared_case,
       cut_({*prepared_case.whole, prepared_case.bone.world_from_bone},
            scenarios::tray_of(prepared_case.scenario),
            scenarios::planned_bridges(prepared_case.plan)),
+      bodies_{Body{picture_.mesh, picture_.tree}},
       survey_(prepared_case) {
-  base_ = {picture_.mesh, picture_.tree, world_from_bone_};
-  newest_.bodies = {base_};
+  newest_.bodies = bodies_;
+  newest_.world_from_fragments = {world_from_bone_};
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -66,30 +67,53 @@ void BoneBeingCut::add_to(Scene& scene) {
   {
     const std::scoped_lock turn(turn_);
     drawn_.bodies = newest_.bodies;
+    drawn_.world_from_fragments = newest_.world_from_fragments;
     drawn_.free_pieces = newest_.free_pieces;
+    drawn_.metal = newest_.metal;
+    drawn_.patched = newest_.patched;
     drawn_site_ = site_;
     if (drawn_.patch_revision != newest_.patch_revision) {
       std::swap(drawn_.patch, newest_.patch);
       drawn_.patch_revision = newest_.patch_revision;
     }
   }
-  for (const Body& body : drawn_.bodies) {
-    BoneInScene bone;
-    bone.mesh = body.mesh.get();
+  for (std::size_t fragment = 0; fragment < drawn_.bodies.size(); ++fragment) {
+    const std::optional<Body>& body = drawn_.bodies[fragment];
+    if (!body) continue;
+    BoneInScene& bone = scene.bones.emplace_back();
+    bone.mesh = body->mesh.get();
     bone.look = &picture_.look;
-    bone.world_from_bone = body.world_from_body;
-    if (&body == &drawn_.bodies.front() && drawn_.patch_revision != 0) {
-      bone.patch = &drawn_.patch;
-      bone.patch_revision = drawn_.patch_revision;
-    }
-    scene.bones.push_back(bone);
+    bone.world_from_bone = drawn_.world_from_fragments[fragment];
+    if (fragment != drawn_.patched || drawn_.patch_revision == 0) continue;
+    bone.patch = &drawn_.patch;
+    bone.patch_revision = drawn_.patch_revision;
   }
+  add_metal(scene, drawn_.metal, [this](std::int32_t fragment) {
+    return drawn_.world_from_fragments[static_cast<std::size_t>(fragment)];
+  });
+}
+
+std::vector<BoneSurface> BoneBeingCut::surfaces() const {
+  std::vector<BoneSurface> surfaces;
+  for (std::size_t fragment = 0; fragment < drawn_.bodies.size(); ++fragment) {
+    if (const std::optional<Body>& body = drawn_.bodies[fragment])
+      surfaces.push_back({*body->tree, drawn_.world_from_fragments[fragment]});
+  }
+  return surfaces;
+}
+
+std::optional<FragmentSurface> BoneBeingCut::fragment(std::int32_t number) const {
+  const auto fragment = static_cast<std::size_t>(number);
+  if (fragment >= drawn_.bodies.size() || !drawn_.bodies[fragment]) return std::nullopt;
+  const Body& body = *drawn_.bodies[fragment];
+  return FragmentSurface{body.mesh.get(), body.tree.get(), drawn_.world_from_fragments[fragment]};
 }
 
 void BoneBeingCut::add_free_pieces(Scene& scene) const {
   for (const PieceMesh& piece : drawn_.free_pieces) {
-    if (drawn_site_ != nullptr && is_wanted(*drawn_site_, piece.id))
-      scene.free_pieces.push_back({piece.mesh.get(), world_from_bone_});
+    if (drawn_site_ == nullptr || !is_wanted(*drawn_site_, piece.id)) continue;
+    const auto fragment = static_cast<std::size_t>(piece.fragment);
+    scene.free_pieces.push_back({piece.mesh.get(), drawn_.world_from_fragments[fragment]});
   }
 }
 
@@ -144,7 +168,7 @@ bool BoneBeingCut::take_feed() {
     if (const auto* event = std::get_if<CutEvent>(&feed)) note(*event);
     if (const auto* request = std::get_if<simulator::JobRequest>(&feed)) survey_.apply(*request);
     if (const auto* sample = std::get_if<ToolSample>(&feed)) {
-      bone_from_tool_ = inverse(world_from_bone_) * transform_from(sample->world_from_tool);
+      world_from_tool_ = transform_from(sample->world_from_tool);
       survey_.apply(*sample);
     }
   }
@@ -153,56 +177,97 @@ bool BoneBeingCut::take_feed() {
 
 void BoneBeingCut::note(const CutEvent& event) {
   survey_.apply(event, cut_);
-  if (event.kind == CutEventKind::HingeClosed && cut_.closed_hinge() != nullptr) {
-    show_hinge(*cut_.closed_hinge(), transform_from(event.pose));
-  }
   const std::scoped_lock turn(turn_);
   events_.push_back(event);
 }
 
+/// Places come first: nothing is shown of a fragment that lies nowhere yet.
 void BoneBeingCut::bring_up_to_date() {
-  if (std::optional<PatchBase> base = cut_.take_base()) {
-    base_ = base->is_uncut() ? Body{picture_.mesh, picture_.tree, world_from_bone_}
-                             : lit_body(base->solid, std::move(base->tree), world_from_bone_);
-  }
+  bodies_.resize(static_cast<std::size_t>(cut_.fragment_count()));
+  show_places();
+  if (std::optional<PatchBase> base = cut_.take_base()) show_base(std::move(*base));
   // A frame whose outline is not simple shows the patch before it.
   if (cut_.build_patch(patch_)) show_patch();
-  if (const std::optional<CutSolid> whole = cut_.take_whole()) {
-    base_ = lit_body(*whole, world_from_bone_);
-    publish({base_});
-  }
+  for (const DueFragment& due : cut_.take_due()) show_fragment(due);
   if (const auto pieces = cut_.take_free_pieces()) show_free_pieces(*pieces);
+}
+
+void BoneBeingCut::show_base(PatchBase base) {
+  bodies_[static_cast<std::size_t>(base.fragment)] =
+      base.is_uncut() ? Body{picture_.mesh, picture_.tree}
+                      : lit_body(base.solid, std::move(base.tree));
+}
+
+/// Patch and base come together.
+void BoneBeingCut::show_patch() {
+  const std::scoped_lock turn(turn_);
+  newest_.bodies = bodies_;
+  newest_.patched = static_cast<std::size_t>(cut_.fragment_at_hand());
+  std::swap(newest_.patch, patch_);
+  newest_.patch_revision = next_revision_++;
+}
+
+void BoneBeingCut::show_fragment(const DueFragment& due) {
+  const auto fragment = static_cast<std::size_t>(due.fragment);
+  bodies_[fragment].reset();
+  if (!due.solid.mesh.triangles.empty()) {
+    bodies_[fragment] = lit_body(due.solid, std::make_shared<const Bvh>(due.solid.mesh));
+  }
+  const std::scoped_lock turn(turn_);
+  newest_.bodies = bodies_;
+  if (newest_.patched == fragment) newest_.patch_revision = 0;
 }
 
 void BoneBeingCut::show_free_pieces(const std::vector<FreedPiece>& pieces) {
   std::vector<PieceMesh> meshes;
   meshes.reserve(pieces.size());
   for (const FreedPiece& piece : pieces) {
-    meshes.push_back({piece.id, std::make_shared<const BoneMesh>(
-                                    mesh_of(next_mesh_id(), piece.solid, picture_.look))});
+    meshes.push_back(
+        {piece.id, piece.fragment,
+         std::make_shared<const BoneMesh>(mesh_of(next_mesh_id(), piece.solid, picture_.look))});
   }
   const std::scoped_lock turn(turn_);
   newest_.free_pieces = std::move(meshes);
 }
 
+/// Where the fragments lie, and the metal in them.
+void BoneBeingCut::show_places() {
+  std::vector<RigidTransform> places;
+  std::vector<FragmentSkin> skins;
+  for (std::size_t fragment = 0; fragment < bodies_.size(); ++fragment) {
+    places.push_back(cut_.world_from_fragment(static_cast<std::int32_t>(fragment)));
+    const std::optional<Body>& body = bodies_[fragment];
+    skins.push_back(body ? FragmentSkin{&body->mesh->solid.mesh, body->tree.get(), body->mesh->id}
+                         : FragmentSkin{});
+  }
+  MetalShown metal = metal_.renew(cut_, skins);
+  const std::scoped_lock turn(turn_);
+  newest_.world_from_fragments = std::move(places);
+  newest_.metal = std::move(metal);
+}
+
 /// In the kerf's plane while the blade lies in it, else in the blade's own, where nothing is open.
 void BoneBeingCut::renew_section() {
-  if (!bone_from_tool_ || cut_.closed_hinge() != nullptr) return;
+  if (!world_from_tool_) return;
+  const std::int32_t fragment = cut_.fragment_at_hand();
+  const std::optional<Body>& body = bodies_[static_cast<std::size_t>(fragment)];
+  if (!body) return;
+  const RigidTransform fragment_from_tool =
+      inverse(cut_.world_from_fragment(fragment)) * *world_from_tool_;
   std::optional<KerfPlane> kerf = cut_.plane_at_hand();
-  const bool is_in_kerf = kerf && is_in_plane(kerf->bone_from_kerf, *bone_from_tool_);
-  const RigidTransform plane = is_in_kerf ? kerf->bone_from_kerf : *bone_from_tool_;
+  const bool is_in_kerf = kerf && is_in_plane(kerf->bone_from_kerf, fragment_from_tool);
+  const RigidTransform plane = is_in_kerf ? kerf->bone_from_kerf : fragment_from_tool;
   const std::uint64_t opened = is_in_kerf ? next_revision_ : 0;
   if (!section_clock_.is_due(plane, opened, std::chrono::steady_clock::now())) return;
   const KerfOpening opening = is_in_kerf ? *cut_.kerf_at_hand() : KerfOpening{{plane}, {}};
   auto section =
-      std::make_shared<const KerfSection>(kerf_section(base_.mesh->solid, *base_.tree, opening));
+      std::make_shared<const KerfSection>(kerf_section(body->mesh->solid, *body->tree, opening));
   const std::scoped_lock turn(turn_);
   section_ = std::move(section);
 }
 
-/// After the hinge has closed the bone is no longer where its kerfs were opened.
 void BoneBeingCut::renew_site() {
-  if (!bone_from_tool_ || cut_.closed_hinge() != nullptr) return;
+  if (!world_from_tool_) return;
   std::optional<SiteFacts> facts = survey_.renew(cut_, std::chrono::steady_clock::now());
   if (!facts) return;
   auto site = std::make_shared<const SiteFacts>(std::move(*facts));
@@ -225,35 +290,13 @@ bool SectionClock::is_due(const RigidTransform& bone_from_plane, std::uint64_t o
   return true;
 }
 
-void BoneBeingCut::show_patch() {
-  const std::scoped_lock turn(turn_);
-  newest_.bodies = {base_};
-  std::swap(newest_.patch, patch_);
-  newest_.patch_revision = next_revision_++;
-}
-
-void BoneBeingCut::show_hinge(const ClosedHinge& hinge, const RigidTransform& bone_from_moved) {
-  publish({lit_body(hinge.fixed, world_from_bone_),
-           lit_body(hinge.moved, world_from_bone_ * bone_from_moved)});
-  const std::scoped_lock turn(turn_);
-  site_.reset();
-  section_.reset();
-}
-
 std::uint64_t BoneBeingCut::next_mesh_id() { return picture_id(name_ + std::to_string(meshes_++)); }
 
-BoneBeingCut::Body BoneBeingCut::lit_body(const CutSolid& solid, std::shared_ptr<const Bvh> tree,
-                                          const RigidTransform& world_from_body) {
+BoneBeingCut::Body BoneBeingCut::lit_body(const CutSolid& solid, std::shared_ptr<const Bvh> tree) {
   BoneMesh mesh = mesh_of(next_mesh_id(), solid, picture_.look);
   const Occluder own{tree.get(), {}};
   light_cut_faces(mesh, std::span(&own, 1));
-  return {std::make_shared<const BoneMesh>(std::move(mesh)), std::move(tree), world_from_body};
-}
-
-void BoneBeingCut::publish(std::vector<Body> bodies) {
-  const std::scoped_lock turn(turn_);
-  newest_.bodies = std::move(bodies);
-  newest_.patch_revision = 0;
+  return {std::make_shared<const BoneMesh>(std::move(mesh)), std::move(tree)};
 }
 
 }  // namespace hallux::ui

@@ -1,9 +1,11 @@
-/// The bone while it is cut, for the picture: a thread that follows the feed of the loop and never
-/// feeds anything back.
+/// The bone while it is operated on, for the picture: a thread that follows the feed of the loop
+/// and never feeds anything back.
 ///
 ///     feed of the loop --> LiveCut --> patch of the kerf at hand --> newest picture
-///                             |        on a mesh that stands still
-///                             |--> another kerf, the whole, a closed hinge: another mesh
+///                             |        on a fragment that stands still
+///                             |--> another kerf, a fragment that parted or lost a piece: a mesh
+///                             |    of its own, and where each fragment lies
+///                             |--> wires, screws and holes
 ///                             |--> pieces that came free: meshes for their outlines
 ///                             '--> the section in the blade's plane, at most 20 times a second
 #pragma once
@@ -21,6 +23,7 @@
 #include "simulator/jobs/live_cut.h"
 #include "ui/jobs/live_attempt.h"
 #include "ui/render/scene/scene.h"
+#include "ui/screens/operating/site/metal_in_bone.h"
 #include "ui/screens/operating/site/site_survey.h"
 #include "ui/screens/pictures/blade_section.h"
 #include "ui/screens/pictures/contact_halo.h"
@@ -38,6 +41,13 @@ struct BonePicture {
 /// errors  Cancelled
 BonePicture picture_of(std::shared_ptr<const PreparedCase> prepared_case,
                        const std::filesystem::path& data_directory, const Progress& progress = {});
+
+/// A fragment as it is shown, without what the kerf at hand takes; borrowed.
+struct FragmentSurface {
+  const BoneMesh* mesh = nullptr;
+  const simulator::Bvh* tree = nullptr;
+  RigidTransform world_from_fragment;
+};
 
 /// When a section is to be made anew: often enough to be live, not more often than its plane moved
 /// or its kerf grew.
@@ -71,19 +81,21 @@ class BoneBeingCut {
   /// needs   add_to was called in this frame
   /// thread  window
   void add_free_pieces(Scene& scene) const;
-  /// What lies in the plane of the kerf at hand, or of the blade while it is away from it; null
-  /// before the loop's first step.
+  /// What lies in the plane of the kerf at hand, or of the blade while it is away from it, in the
+  /// frame of the kerf's fragment; null before the loop's first step.
   /// thread  window
   std::shared_ptr<const KerfSection> section();
   /// What is known of the site; null before the loop's first step.
   /// thread  window
   std::shared_ptr<const SiteFacts> site();
-  /// The bone as rays find it, without what the kerf at hand takes; borrowed likewise.
+  /// The fragments as rays find them, without what the kerf at hand takes; borrowed likewise.
   /// needs   add_to was called in this frame
   /// thread  window
-  BoneSurface surface() const {
-    return {*drawn_.bodies.front().tree, drawn_.bodies.front().world_from_body};
-  }
+  std::vector<BoneSurface> surfaces() const;
+  /// Nothing where there is none of that number. Borrowed likewise.
+  /// needs   add_to was called in this frame
+  /// thread  window
+  std::optional<FragmentSurface> fragment(std::int32_t number) const;
   /// What happened since the last call.
   /// thread  window
   std::vector<simulator::CutEvent> take_events();
@@ -96,19 +108,23 @@ class BoneBeingCut {
   struct Body {
     std::shared_ptr<const BoneMesh> mesh;
     std::shared_ptr<const simulator::Bvh> tree;
-    RigidTransform world_from_body;
   };
   struct PieceMesh {
-    std::int32_t id = 0;
+    std::int32_t id = 0, fragment = 0;
     std::shared_ptr<const BoneMesh> mesh;
   };
-  /// The newest picture; a patch lies on the first body.
+  /// The newest picture.
   struct Shown {
-    std::vector<Body> bodies;
+    /// By fragment; nothing of one that is out of the wound.
+    std::vector<std::optional<Body>> bodies;
+    std::vector<RigidTransform> world_from_fragments;
+    /// On the body of that fragment.
     simulator::SolidPatch patch;
+    std::size_t patched = 0;
     /// 0: no patch.
     std::uint64_t patch_revision = 0;
     std::vector<PieceMesh> free_pieces;
+    MetalShown metal;
   };
 
   void run(const std::stop_token& stop);
@@ -116,18 +132,15 @@ class BoneBeingCut {
   bool take_feed();
   void note(const simulator::CutEvent& event);
   void bring_up_to_date();
+  void show_base(simulator::PatchBase base);
   void show_patch();
-  void show_hinge(const simulator::ClosedHinge& hinge, const RigidTransform& bone_from_moved);
-  Body lit_body(const simulator::CutSolid& solid, const RigidTransform& world_from_body) {
-    return lit_body(solid, std::make_shared<const simulator::Bvh>(solid.mesh), world_from_body);
-  }
-  Body lit_body(const simulator::CutSolid& solid, std::shared_ptr<const simulator::Bvh> tree,
-                const RigidTransform& world_from_body);
-  std::uint64_t next_mesh_id();
+  void show_fragment(const simulator::DueFragment& due);
   void show_free_pieces(const std::vector<simulator::FreedPiece>& pieces);
+  void show_places();
+  Body lit_body(const simulator::CutSolid& solid, std::shared_ptr<const simulator::Bvh> tree);
+  std::uint64_t next_mesh_id();
   void renew_section();
   void renew_site();
-  void publish(std::vector<Body> bodies);
 
   const std::string name_;
   const RigidTransform world_from_bone_;
@@ -135,13 +148,14 @@ class BoneBeingCut {
   simulator::AttemptWatch& watch_;
   // the thread's
   simulator::LiveCut cut_;
-  /// What the patch at hand lies on, or what stands without one.
-  Body base_;
+  /// By fragment, as it is shown without the patch.
+  std::vector<std::optional<Body>> bodies_;
   simulator::SolidPatch patch_;
   std::uint64_t next_revision_ = 1;
   int meshes_ = 0;
   /// Of the newest sample; nothing before the first.
-  std::optional<RigidTransform> bone_from_tool_;
+  std::optional<RigidTransform> world_from_tool_;
+  MetalInBone metal_;
   SectionClock section_clock_;
   SiteSurvey survey_;
   // between the two

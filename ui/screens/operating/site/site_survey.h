@@ -1,5 +1,6 @@
-/// What is known of the site while somebody operates: what holds of each cut, and what lies ahead
-/// of the teeth. Read off the geometry some times a second, on its thread.
+/// What is known of the site while somebody operates: what holds of each cut, what lies ahead of
+/// the teeth, and what forceps or driver would take hold of. Read off the geometry some times a
+/// second, on its thread.
 #pragma once
 
 #include <chrono>
@@ -15,16 +16,61 @@
 
 namespace hallux::ui {
 
+/// Where a fragment lies, and whether it is one that moves: not a bone's own.
+struct SiteFragment {
+  RigidTransform bone_from_fragment;
+  /// Its number as a piece.
+  std::int32_t piece = 0;
+  bool is_out = false, is_moved = false;
+};
+
+/// Nearest to the tip of what is in the hand.
+struct WithinReach {
+  /// That forceps would grip: what came free, or a fragment that was moved before.
+  std::optional<std::int32_t> piece;
+  /// That the driver in the hand left, and would take again.
+  std::optional<std::int32_t> implant;
+};
+
+/// A wire or a screw that stands in bone.
+struct StandingImplant {
+  std::int32_t number = 0;
+  /// That left it: its place on the tray.
+  std::int32_t tool = 0;
+  /// Origin at the tip, x along the axis.
+  RigidTransform bone_from_tool;
+};
+
+/// A bore as it lies now; one through several fragments is told once.
+struct BoredHole {
+  double radius_mm = 0.0, depth_mm = 0.0;
+  /// Origin where the tip met the bone, x into it.
+  RigidTransform bone_from_bore;
+};
+
+/// A planned fragment in the wound: the piece that holds its place, and the fragment once it is
+/// one.
+struct FreedFragment {
+  std::optional<std::int32_t> piece, fragment;
+};
+
 struct SiteFacts {
   /// By the plan's cuts.
   std::vector<scenarios::HeldCut> cuts;
   /// Of the cuts that were begun and hold, to be drawn.
   std::vector<HeldBone> held;
   simulator::BladeAhead ahead;
-  /// What the scenario's steps that remove ask for, in their order.
+  /// What the scenario's steps that take bone out ask for, in their order.
   std::vector<scenarios::WantedPart> parts;
   /// The pieces are worked out: until then nobody knows whether one is free.
   bool are_pieces_due = false;
+  /// By their numbers.
+  std::vector<SiteFragment> fragments;
+  WithinReach reach;
+  std::vector<StandingImplant> implants;
+  std::vector<BoredHole> bores;
+  /// By the plan's fragments.
+  std::vector<FreedFragment> freed;
 };
 
 class SiteSurvey {
@@ -45,13 +91,22 @@ class SiteSurvey {
  private:
   void renew_held(simulator::LiveCut& cut);
   void renew_parts(simulator::LiveCut& cut);
+  void renew_ahead(simulator::LiveCut& cut);
+  void renew_beside(simulator::LiveCut& cut);
+  void renew_fragments(const simulator::LiveCut& cut);
+  void renew_reach(simulator::LiveCut& cut);
+  void renew_metal(const simulator::LiveCut& cut);
+  void renew_freed(simulator::LiveCut& cut);
+  void find_freed(simulator::LiveCut& cut, std::int32_t fragment, const Vec3& place_mm,
+                  FreedFragment& freed) const;
+  bool is_known_free(std::int32_t piece) const noexcept;
   bool are_parts_off() const noexcept;
   void watch_for_crumbs(Time now);
 
   const PreparedCase& prepared_case_;
   scenarios::SiteWatch watch_;
   SiteFacts facts_;
-  RigidTransform bone_from_tool_, seen_from_tool_;
+  RigidTransform world_from_tool_;
   bool has_moved_ = false, has_grown_ = true, has_opened_since_pieces_ = false;
   /// Every cut seemed through and yet not all that is wanted came off, so crumbs hold it.
   bool do_crumbs_count_ = false;

@@ -56,7 +56,8 @@ class Flight {
     }
   }
 
-  VirtualOperation operation{block_case(), {StepKind::Remove}};
+  VirtualOperation operation{block_case(), StepProgress({StepKind::Remove}),
+                             database::AttemptKind::Practice};
   FlightLessons lessons;
   std::optional<Lesson> skipped;
 

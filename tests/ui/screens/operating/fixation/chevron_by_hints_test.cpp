@@ -1,0 +1,68 @@
+// A chevron from the first look to the last, by somebody who only obeys what the coach says: no
+// operation is known by name, so whoever follows the hints of another comes as far.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/ui/screens/operating/fixation/chevron_case.h"
+#include "tests/ui/screens/operating/obedient_hand.h"
+#include "ui/screens/operating/fixation_hints.h"
+
+namespace hallux::ui {
+namespace {
+
+using simulator::CutEvent;
+using simulator::CutEventKind;
+
+constexpr double patience_s = 900.0;
+
+class ChevronByHints : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    operation_ = new VirtualOperation(chevron_case());
+    while (operation_->time_s() < patience_s && operation_->session().asked() != Asked::Finish) {
+      const std::optional<Hint> hint = next_hint(coach_view(operation_->sources()));
+      obey(*operation_, hint.value_or(Hint{}));
+    }
+  }
+  static void TearDownTestSuite() {
+    delete operation_;
+    operation_ = nullptr;
+  }
+  static long count(CutEventKind kind) {
+    return std::ranges::count(operation_->events(), kind, &CutEvent::kind);
+  }
+
+  static VirtualOperation* operation_;
+};
+
+VirtualOperation* ChevronByHints::operation_ = nullptr;
+
+TEST_F(ChevronByHints, ComesToTheLastStep) {
+  EXPECT_EQ(operation_->session().asked(), Asked::Finish);
+  for (std::size_t step = 0; step + 1 < operation_->prepared_case().scenario.steps.size(); ++step)
+    EXPECT_TRUE(operation_->session().steps().is_done(step)) << step;
+}
+
+TEST_F(ChevronByHints, PartsTheHeadLeadsItToItsPlaceAndDrivesItHome) {
+  EXPECT_EQ(count(CutEventKind::FragmentParted), 1);
+  EXPECT_EQ(count(CutEventKind::Gripped), 1);
+  const SiteFacts& site = *operation_->site();
+  ASSERT_EQ(site.fragments.size(), 2U);
+  const ShiftReading lies =
+      read_shift(operation_->prepared_case().plan, 0, site.fragments[1].bone_from_fragment);
+  EXPECT_NEAR(lies.moved_mm, 5.0, 1.0);
+  EXPECT_LT(lies.turned_rad, 0.1);
+}
+
+TEST_F(ChevronByHints, LeavesTheScrewAndTakesTheWiresOut) {
+  const SiteFacts& site = *operation_->site();
+  ASSERT_EQ(site.implants.size(), 1U);
+  const scenarios::LaidOutTool& tool =
+      operation_->session().tools().tray()[static_cast<std::size_t>(site.implants[0].tool)];
+  EXPECT_TRUE(std::holds_alternative<simulator::Screwdriver>(tool.tool)) << tool.name;
+  EXPECT_EQ(count(CutEventKind::ImplantTaken), 2);
+}
+
+}  // namespace
+}  // namespace hallux::ui

@@ -1,0 +1,62 @@
+#include "ui/screens/operating/hud/fixation_reading.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulator/base/elementary.h"
+
+namespace hallux::ui {
+
+namespace {
+
+/// An axis that lies flatter against the planned entry's plane meets it nowhere near.
+constexpr double least_cosine = 0.2;
+
+}  // namespace
+
+ImplantReading read_implant(const scenarios::PlannedImplant& planned,
+                            const RigidTransform& bone_from_tool) noexcept {
+  const Vec3& along = planned.direction_in_bone;
+  const Vec3 axis = axis_x(bone_from_tool);
+  const Vec3 from_entry_mm = bone_from_tool.translation_mm - planned.entry_in_bone_mm;
+  const double cosine = glm::dot(axis, along);
+  ImplantReading reading;
+  reading.depth_mm = glm::dot(from_entry_mm, along);
+  const Vec3 at_entry_mm =
+      cosine < least_cosine ? from_entry_mm : from_entry_mm - reading.depth_mm / cosine * axis;
+  reading.off_in_bone_mm = at_entry_mm - glm::dot(at_entry_mm, along) * along;
+  reading.entry_mm = length_of(reading.off_in_bone_mm);
+  reading.direction_rad = elementary::atan2(length_of(glm::cross(axis, along)), cosine);
+  return reading;
+}
+
+RigidTransform bone_from_shifted(const scenarios::Plan& plan, std::size_t shift) noexcept {
+  const std::vector<scenarios::PlannedShift>& shifts = plan.fixation.shifts;
+  RigidTransform bone_from_fragment;
+  for (std::size_t i = 0; i <= shift; ++i) {
+    if (shifts[i].fragment == shifts[shift].fragment)
+      bone_from_fragment = shifts[i].bone_from_before * bone_from_fragment;
+  }
+  return bone_from_fragment;
+}
+
+ShiftReading read_shift(const scenarios::Plan& plan, std::size_t shift,
+                        const RigidTransform& bone_from_fragment) noexcept {
+  const scenarios::PlannedFragment& fragment =
+      *find_fragment(plan.fixation, plan.fixation.shifts[shift].fragment);
+  const RigidTransform target = bone_from_shifted(plan, shift);
+  const Vec3 now_mm = transform_point(bone_from_fragment, fragment.holds_in_bone_mm);
+  ShiftReading reading;
+  reading.off_in_bone_mm = transform_point(target, fragment.holds_in_bone_mm) - now_mm;
+  reading.off_mm = length_of(reading.off_in_bone_mm);
+  reading.moved_mm = length_of(now_mm - fragment.holds_in_bone_mm);
+  Quat turn = target.rotation * glm::conjugate(bone_from_fragment.rotation);
+  if (turn.w < 0.0) turn = -turn;
+  const Vec3 axis(turn.x, turn.y, turn.z);
+  const double sine = length_of(axis);
+  if (sine > 0.0) reading.turn_axis_in_bone = axis / sine;
+  reading.turned_rad = 2.0 * elementary::atan2(sine, turn.w);
+  return reading;
+}
+
+}  // namespace hallux::ui

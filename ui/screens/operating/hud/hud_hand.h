@@ -1,0 +1,18 @@
+/// What is in the hand where there is a tray: the tool, its drive, and what is done with it.
+/// Inside this corner only.
+#pragma once
+
+#include "ui/screens/operating/hud/hud_panel.h"
+
+namespace hallux::ui {
+
+inline constexpr float hand_panel_width = 408.0F;
+
+/// needs   a tool is held
+void draw_hud_hand(Hud& in, const Rect& rect);
+
+/// A switch: a small button at the right end of a line, with its key. Returns the width.
+float draw_hud_switch(Hud& in, const char* id, Point right_middle, const char* label,
+                      const char* key, bool& is_pressed);
+
+}  // namespace hallux::ui
