@@ -43,8 +43,8 @@ bool is_of_it(const PieceBody& piece, std::span<const SawnFace> faces,
 
 }  // namespace
 
-bool takes_out(const OperationStep& step) noexcept {
-  return step.kind == StepKind::Remove || step.kind == StepKind::Trim;
+bool takes_out(StepKind kind) noexcept {
+  return kind == StepKind::Remove || kind == StepKind::Trim;
 }
 
 WantedPart wanted_part(const OperationStep& step, const Plan& plan, std::span<const HeldCut> held,

@@ -29,8 +29,8 @@ struct FragmentInPieces {
   std::vector<const simulator::Bvh*> taken_out;
 };
 
-/// A step that ends with bone out of the wound: what its cuts part off.
-bool takes_out(const OperationStep& step) noexcept;
+/// Steps of that kind end with bone out of the wound: what their cuts part off.
+bool takes_out(StepKind kind) noexcept;
 
 /// Nothing is of it where one of its cuts was not begun, or they lie in different fragments.
 /// held       by the plan's cuts

@@ -27,7 +27,7 @@ const Vec3 down{0.0, -1.0, 0.0};
 class DrivenOperation {
  public:
   explicit DrivenOperation(const simulator::Bone& bone)
-      : middle_(middle_of(bone)), run_({bone, shaft_tray()}, blade_down(at(0.0, clear_mm))) {}
+      : middle_(middle_of(bone.outer)), run_({bone, shaft_tray()}, blade_down(at(0.0, clear_mm))) {}
 
   /// So deep below where the teeth found the bone.
   void saw_kerf(double x_mm) {
@@ -177,15 +177,6 @@ simulator::Bone shaft(std::size_t triangles) {
   simulator::Bone bone = tests::cortical_bone(make_bone_like({triangles, false}));
   bone.cortex = simulator::CortexLaw{.length_mm = 62.0};
   return bone;
-}
-
-Vec3 middle_of(const simulator::Bone& bone) {
-  Vec3 least = bone.outer.points_mm.front(), most = least;
-  for (const Vec3& point : bone.outer.points_mm) {
-    least = glm::min(least, point);
-    most = glm::max(most, point);
-  }
-  return 0.5 * (least + most);
 }
 
 simulator::Tray shaft_tray() {

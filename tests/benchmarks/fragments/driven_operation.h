@@ -33,7 +33,6 @@ inline const std::string sawing = "sawn", laying = "laid on", leading = "gripped
 
 /// A cortical shaft of 62 x 16 x 14 mm.
 simulator::Bone shaft(std::size_t triangles);
-Vec3 middle_of(const simulator::Bone& bone);
 /// A saw, and a wire driver at place 1.
 simulator::Tray shaft_tray();
 

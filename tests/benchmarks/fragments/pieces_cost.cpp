@@ -2,6 +2,7 @@
 
 #include "simulator/jobs/geometry_job.h"
 #include "tests/benchmarks/fragments/driven_operation.h"
+#include "tests/benchmarks/worlds/bone_like.h"
 
 namespace hallux::benchmarks {
 
@@ -22,7 +23,7 @@ simulator::ToolSample blade_at(const simulator::Bone& bone, std::int32_t kerf, c
 /// to_y_mm  of the teeth, from the middle of the shaft
 double after_kerf_ms(const simulator::Bone& bone, simulator::AttemptGeometry& geometry,
                      std::int32_t kerf, double to_y_mm) {
-  const Vec3 above = middle_of(bone) + Vec3{-14.0 + 4.0 * kerf, 10.0, 0.0};
+  const Vec3 above = middle_of(bone.outer) + Vec3{-14.0 + 4.0 * kerf, 10.0, 0.0};
   const Vec3 below = above + Vec3{0.0, to_y_mm - 10.0, 0.0};
   simulator::CutEvent frozen;
   frozen.kind = simulator::CutEventKind::PlaneFrozen;

@@ -26,15 +26,6 @@ using tests::pointing;
 
 const Vec3 down{0.0, -1.0, 0.0};
 
-Vec3 middle_of(const simulator::Bone& bone) {
-  Vec3 least = bone.outer.points_mm.front(), most = least;
-  for (const Vec3& point : bone.outer.points_mm) {
-    least = glm::min(least, point);
-    most = glm::max(most, point);
-  }
-  return 0.5 * (least + most);
-}
-
 /// Times of ticks, each with the handle that `handle_at` gives.
 template <typename HandleAt>
 Percentiles cost_us(BoreWorld& world, int ticks, const HandleAt& handle_at) {
@@ -51,14 +42,14 @@ Percentiles cost_us(BoreWorld& world, int ticks, const HandleAt& handle_at) {
 /// Through the shaft with 10 N and out beyond it, beside a hole that is there.
 Percentiles bored(const simulator::Bone& bone) {
   BoreWorld world(bone, simulator::bore_tool(simulator::WireDriver{}));
-  const Vec3 middle = middle_of(bone);
+  const Vec3 middle = middle_of(bone.outer);
   world.holes.push_back({middle + Vec3{3.0, 12.0, 0.0}, middle + Vec3{3.0, -12.0, 0.0}, 0.8});
-  world.state.body_from_tool = pointing(middle + Vec3{0.0, 12.0, 0.0}, down);
+  world.state.wound_from_tool = pointing(middle + Vec3{0.0, 12.0, 0.0}, down);
   world.holes.reserve(8);
   world.bores.push_back(
       simulator::begin_bore(pointing(middle + Vec3{3.0, 8.0, 0.0}, down), 0.0, 0.8));
   return cost_us(world, 8000, [&](int) {
-    RigidTransform handle = world.state.body_from_tool;
+    RigidTransform handle = world.state.wound_from_tool;
     handle.translation_mm += 5.0 * down;
     return handle;
   });
@@ -67,9 +58,9 @@ Percentiles bored(const simulator::Bone& bone) {
 /// Laid flat on the shaft, pressed, skidding and tilted to and fro.
 Percentiles laid(const simulator::Bone& bone) {
   BoreWorld world(bone, simulator::bore_tool(simulator::WireDriver{}));
-  const Vec3 middle = middle_of(bone);
+  const Vec3 middle = middle_of(bone.outer);
   const Vec3 along{1.0, 0.0, 0.0};
-  world.state.body_from_tool = pointing(middle + Vec3{8.0, 12.0, 0.0}, along);
+  world.state.wound_from_tool = pointing(middle + Vec3{8.0, 12.0, 0.0}, along);
   return cost_us(world, 8000, [&](int tick) {
     const double swing = elementary::sin(0.003 * tick);
     const Vec3 place = middle + Vec3{8.0 + 3.0 * swing, 4.0, 2.0 * swing};

@@ -28,14 +28,6 @@ using tests::SimulationRun;
 constexpr double coupling_newton_per_mm = 2.0;
 
 /// Of the middle of the shaft; its surface is within 6 to 8 mm of the axis.
-Vec3 middle_of(const Bone& bone) {
-  Vec3 least = bone.outer.points_mm.front(), most = least;
-  for (const Vec3& point : bone.outer.points_mm) {
-    least = glm::min(least, point);
-    most = glm::max(most, point);
-  }
-  return 0.5 * (least + most);
-}
 
 void push_for(SimulationRun& run, const Vec3& place_mm, double force_newton, int ticks) {
   for (int i = 0; i < ticks; ++i) {
@@ -47,7 +39,7 @@ void push_for(SimulationRun& run, const Vec3& place_mm, double force_newton, int
 
 /// Two strokes side by side, the second in the slot of the first.
 simulator::Recording sawn(const Bone& bone) {
-  const Vec3 middle = middle_of(bone);
+  const Vec3 middle = middle_of(bone.outer);
   SimulationRun run(bone, blade_down(middle + Vec3{0.0, 12.0, 0.0}));
   for (const double aside_mm : {-2.0, 2.0}) {
     const Vec3 place = middle + Vec3{0.0, 12.0, aside_mm};
@@ -60,7 +52,7 @@ simulator::Recording sawn(const Bone& bone) {
 
 /// The blade's face on the shaft, pressed with 6 N, slid and tilted to and fro.
 simulator::Recording laid(const Bone& bone) {
-  const Vec3 middle = middle_of(bone);
+  const Vec3 middle = middle_of(bone.outer);
   const Quat flat = rotation_from_axes(Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, 1.0});
   SimulationRun run(bone, {flat, middle + Vec3{8.0, 12.0, 0.0}});
   run.switches = 0;

@@ -112,9 +112,10 @@ struct Setting {
 
 void add_operation(Table& table, const std::string& operation, const Setting& setting) {
   const auto motion = motion_of_expert(operation);
-  DrawnOperation window(operation, shipped_edge_mm, {1280, 720}, {}, [&](const RigidTransform&) {
-    return std::make_unique<PlayedHand>(motion);
-  });
+  const auto lend = [&](const HandStart&, const Progress&) {
+    return LentHands{std::make_unique<PlayedHand>(motion)};
+  };
+  DrawnOperation window(operation, shipped_edge_mm, {1280, 720}, {}, lend);
   RenderQuality quality = live_quality();
   quality.smooths_edges = setting.has_edge_pass;
   window.scenes().set_quality(quality);

@@ -65,7 +65,8 @@ void write_windows(const Database& database, const database::AttemptId& attempt,
     const std::int64_t end_tick = (window + 1) * database::window_ticks;
     pen.commit(window, {rows_of(recording.tape, line, end_tick),
                         rows_of(recording.samples, sample, end_tick),
-                        rows_of(recording.events, event, end_tick)});
+                        rows_of(recording.events, event, end_tick),
+                        {}});
   }
 }
 

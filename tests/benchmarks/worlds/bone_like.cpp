@@ -130,6 +130,15 @@ IndexedMesh make_foot_like(std::size_t triangles) {
   return foot;
 }
 
+Vec3 middle_of(const simulator::IndexedMesh& mesh) {
+  Vec3 least = mesh.points_mm.front(), most = least;
+  for (const Vec3& point : mesh.points_mm) {
+    least = glm::min(least, point);
+    most = glm::max(most, point);
+  }
+  return 0.5 * (least + most);
+}
+
 simulator::KerfPlane oblique_kerf(double thickness_mm) {
   const Vec3 normal = glm::normalize(Vec3(1.0, 0.25, 0.15));
   const Vec3 along_z(0.0, 0.0, -1.0);

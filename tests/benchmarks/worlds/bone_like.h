@@ -24,6 +24,9 @@ simulator::IndexedMesh make_bone_like(const BoneLike& wanted);
 /// shells.
 simulator::IndexedMesh make_foot_like(std::size_t triangles);
 
+/// Of the box around it.
+Vec3 middle_of(const simulator::IndexedMesh& mesh);
+
 /// An oblique kerf through the shaft of make_bone_like; the section is about 14 x 12 mm.
 simulator::KerfPlane oblique_kerf(double thickness_mm = 0.5);
 

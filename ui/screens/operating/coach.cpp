@@ -16,6 +16,7 @@
 #include "ui/screens/operating/hand/steering.h"
 #include "ui/screens/operating/hud/operating_hud.h"
 #include "ui/screens/operating/levers.h"
+#include "ui/screens/pictures/rotation_vector.h"
 
 namespace hallux::ui {
 
@@ -49,8 +50,6 @@ constexpr double at_bone_mm = 0.6, pushed_at_once_mm = 4.0;
 constexpr double least_mended_share = 0.02;
 /// A turn in the face counts less: no read-out tells it.
 constexpr double yaw_weight = 0.5;
-/// From here on a turn is far.
-constexpr double far_off_rad = 0.5;
 
 /// Where the middle of the blade is to lie; the normal looks to the waste.
 struct GoalPlane {
@@ -118,7 +117,7 @@ std::string mm_text(double mm) { return signed_text(mm) + " mm"; }
 
 /// Of the blade against the goal, as PlanReading against the plan.
 struct Tilt {
-  double pitch_rad = 0.0, roll_rad = 0.0, yaw_rad = 0.0, side = 1.0;
+  double pitch_rad = 0.0, roll_rad = 0.0, side = 1.0;
 };
 
 Tilt tilt_off(const CoachView& view, const Aim& aim) {
@@ -127,48 +126,26 @@ Tilt tilt_off(const CoachView& view, const Aim& aim) {
   tilt.side = glm::dot(axis_z(view.bone_from_tool), aim.goal.normal) < 0.0 ? -1.0 : 1.0;
   tilt.pitch_rad = elementary::asin(glm::dot(aim.goal.normal, feed));
   tilt.roll_rad = elementary::asin(tilt.side * glm::dot(aim.goal.normal, along));
-  tilt.yaw_rad = elementary::asin(std::clamp(glm::dot(aim.passes.along_in_bone, feed), -1.0, 1.0));
   return tilt;
 }
 
-/// From the blade as it is held to the blade as it is to lie: axis times angle [rad], bone frame.
-Vec3 turn_left(const CoachView& view, const Aim& aim, double side) {
+/// The turn that leaves least of the turn from the blade as it is held to the blade as it is to
+/// lie, told along the axes of the latter: the read-outs bend where much is left, and one who
+/// follows them from there turns in circles.
+Chosen best_turn(const CoachView& view, const Aim& aim, double side) {
   const Vec3 normal = side * aim.goal.normal;
-  const Vec3 feed =
-      unit(aim.passes.feed_in_bone - glm::dot(aim.passes.feed_in_bone, normal) * normal);
-  const Quat goal = rotation_from_axes(feed, glm::cross(normal, feed));
-  Quat turn = goal * glm::conjugate(view.bone_from_tool.rotation);
-  if (turn.w < 0.0) turn = -turn;
-  const Vec3 axis(turn.x, turn.y, turn.z);
-  const double sine = length_of(axis);
-  return sine > 0.0 ? 2.0 * elementary::atan2(sine, turn.w) / sine * axis : axis;
-}
-
-/// The read-outs bend where much is left to turn: there the whole turn is made less.
-Chosen best_turn(const CoachView& view, const Aim& aim, const Tilt& off) {
-  const auto in_bone = [&](const Vec3& axis_in_view) { return view.bone_from_view * axis_in_view; };
-  const Vec3 right = in_bone(Vec3(1.0, 0.0, 0.0)), up = in_bone(Vec3(0.0, 1.0, 0.0)),
-             near = in_bone(Vec3(0.0, 0.0, 1.0));
-  const auto levers_of = [&](const auto& change_of) {
-    return std::array<Lever<3>, 3>{{{HandMove::TurnRight, HandMove::TurnLeft, change_of(up)},
-                                    {HandMove::TurnDown, HandMove::TurnUp, change_of(right)},
-                                    {HandMove::RollLeft, HandMove::RollRight, change_of(near)}}};
+  const Vec3& planned = aim.passes.feed_in_bone;
+  const Vec3 feed = unit(planned - glm::dot(planned, normal) * normal);
+  const Vec3 along = glm::cross(normal, feed);
+  const auto told = [&](const Vec3& turn) {
+    return std::array<double, 3>{glm::dot(turn, feed), glm::dot(turn, along),
+                                 yaw_weight * glm::dot(turn, normal)};
   };
-  const Vec3 left = turn_left(view, aim, off.side);
-  if (length_of(left) > far_off_rad) {
-    const auto levers = levers_of([](const Vec3& axis) {
-      return std::array<double, 3>{-axis.x, -axis.y, -axis.z};
-    });
-    return best_move<3>({left.x, left.y, left.z}, levers);
-  }
-  const Vec3 feed = axis_x(view.bone_from_tool), along = axis_y(view.bone_from_tool);
-  const auto levers = levers_of([&](const Vec3& axis) {
-    return std::array<double, 3>{
-        glm::dot(aim.goal.normal, glm::cross(axis, feed)),
-        off.side * glm::dot(aim.goal.normal, glm::cross(axis, along)),
-        yaw_weight * glm::dot(aim.passes.along_in_bone, glm::cross(axis, feed))};
-  });
-  return best_move<3>({off.pitch_rad, off.roll_rad, yaw_weight * off.yaw_rad}, levers);
+  const Vec3 left = rotation_vector(rotation_from_axes(feed, along) *
+                                    glm::conjugate(view.bone_from_tool.rotation));
+  const auto levers =
+      turning_levers<3>(view.bone_from_view, [&](const Vec3& axis) { return told(-axis); });
+  return best_move<3>(told(left), levers);
 }
 
 std::optional<Hint> tilt_hint(const CoachView& view, const Aim& aim, const PlanReading& reading,
@@ -181,7 +158,7 @@ std::optional<Hint> tilt_hint(const CoachView& view, const Aim& aim, const PlanR
                  {"pitch_goal", degree_text(reading.pitch_rad - off.pitch_rad)},
                  {"roll_goal", degree_text(reading.roll_rad - off.roll_rad)}};
   hint.read_outs = {"plan.pitch", "plan.roll"};
-  set_amount(hint, best_turn(view, aim, off), key_turn_rad);
+  set_amount(hint, best_turn(view, aim, off.side), key_turn_rad);
   return hint;
 }
 
@@ -199,14 +176,10 @@ std::optional<Hint> place_hint(const CoachView& view, const Aim& aim, const Plan
       glm::dot(aim.passes.along_in_bone, tip_mm - aim.cut.entry_point_in_bone_mm) - aim.middle_mm;
   if (std::abs(off_mm) < slack * offset_good_mm && std::abs(along_mm) < slack * along_good_mm)
     return std::nullopt;
-  const auto change_of = [&](const Vec3& axis_in_view) {
-    const Vec3 axis = view.bone_from_view * axis_in_view;
-    return std::array<double, 2>{glm::dot(aim.goal.normal, axis),
-                                 glm::dot(aim.passes.along_in_bone, axis)};
-  };
-  const std::array<Lever<2>, 2> levers{
-      {{HandMove::Right, HandMove::Left, change_of(Vec3(1.0, 0.0, 0.0))},
-       {HandMove::Up, HandMove::Down, change_of(Vec3(0.0, 1.0, 0.0))}}};
+  const auto levers = levers_across<2>(view.bone_from_view, [&](const Vec3& way) {
+    return std::array<double, 2>{glm::dot(aim.goal.normal, way),
+                                 glm::dot(aim.passes.along_in_bone, way)};
+  });
   Hint hint{.text_id = "operate.hint.place"};
   hint.values = {{"offset", mm_text(reading.distance_mm)},
                  {"offset_goal", mm_text(reading.distance_mm - off_mm)},
@@ -303,12 +276,9 @@ bool is_caught(const CoachView& view, const Aim& aim) {
 Hint caught_hint(const CoachView& view, const Aim& aim) {
   const double off_mm =
       glm::dot(aim.goal.normal, view.bone_from_tool.translation_mm) - aim.goal.offset_mm;
-  const auto across = [&](const Vec3& axis_in_view) {
-    return std::array{glm::dot(aim.goal.normal, view.bone_from_view * axis_in_view)};
-  };
-  const std::array<Lever<1>, 2> levers{
-      {{HandMove::Right, HandMove::Left, across(Vec3(1.0, 0.0, 0.0))},
-       {HandMove::Up, HandMove::Down, across(Vec3(0.0, 1.0, 0.0))}}};
+  const auto levers = levers_across<1>(view.bone_from_view, [&](const Vec3& way) {
+    return std::array{glm::dot(aim.goal.normal, way)};
+  });
   Hint hint{.text_id = "operate.hint.caught"};
   hint.read_outs = {"plan.distance"};
   Chosen chosen = best_move<1>({off_mm}, levers);

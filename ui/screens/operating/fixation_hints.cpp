@@ -72,33 +72,15 @@ bool is_bored(const CoachView& view, const PlannedImplant& planned, std::int32_t
 std::string degree_text(double rad) { return decimal_text(degree_from_radian(rad)) + "°"; }
 std::string mm_text(double mm) { return decimal_text(mm) + " mm"; }
 
-/// Axes of the person's view in the bone, as the levers turn about and move along them.
-struct ViewAxes {
-  Vec3 right, up, near;
-};
-ViewAxes axes_of(const CoachView& view) {
-  return {view.bone_from_view * Vec3(1.0, 0.0, 0.0), view.bone_from_view * Vec3(0.0, 1.0, 0.0),
-          view.bone_from_view * Vec3(0.0, 0.0, 1.0)};
-}
-
 using Errors = std::array<double, 3>;
 Errors errors_of(const Vec3& vector) { return {vector.x, vector.y, vector.z}; }
 
-/// Levers that turn something whose error changes by `change_of` an axis of the view.
-template <typename Change>
-std::array<Lever<3>, 3> turning_levers(const CoachView& view, const Change& change_of) {
-  const ViewAxes axes = axes_of(view);
-  return {{{HandMove::TurnRight, HandMove::TurnLeft, errors_of(change_of(axes.up))},
-           {HandMove::TurnDown, HandMove::TurnUp, errors_of(change_of(axes.right))},
-           {HandMove::RollLeft, HandMove::RollRight, errors_of(change_of(axes.near))}}};
-}
-
+/// Across the view, and along the sight.
 template <typename Change>
 std::array<Lever<3>, 3> leading_levers(const CoachView& view, const Change& change_of) {
-  const ViewAxes axes = axes_of(view);
-  return {{{HandMove::Right, HandMove::Left, errors_of(change_of(axes.right))},
-           {HandMove::Up, HandMove::Down, errors_of(change_of(axes.up))},
-           {HandMove::Nearer, HandMove::Deeper, errors_of(change_of(axes.near))}}};
+  const auto [right, up] = levers_across<3>(view.bone_from_view, change_of);
+  const Vec3 near = view.bone_from_view * Vec3(0.0, 0.0, 1.0);
+  return {{right, up, {HandMove::Nearer, HandMove::Deeper, change_of(near)}}};
 }
 
 Hint direction_hint(const CoachView& view, const PlannedImplant& planned,
@@ -107,8 +89,8 @@ Hint direction_hint(const CoachView& view, const PlannedImplant& planned,
   Hint hint{.text_id = "operate.hint.direction"};
   hint.values = {{"direction", degree_text(reading.direction_rad)}};
   hint.read_outs = {"aim.direction"};
-  const auto levers =
-      turning_levers(view, [&](const Vec3& about) { return glm::cross(about, axis); });
+  const auto levers = turning_levers<3>(
+      view.bone_from_view, [&](const Vec3& about) { return errors_of(glm::cross(about, axis)); });
   set_amount(hint, best_move<3>(errors_of(axis - planned.direction_in_bone), levers), key_turn_rad);
   return hint;
 }
@@ -119,8 +101,8 @@ Hint entry_hint(const CoachView& view, const PlannedImplant& planned,
   Hint hint{.text_id = "operate.hint.entry"};
   hint.values = {{"entry", mm_text(reading.entry_mm)}};
   hint.read_outs = {"aim.entry"};
-  const auto levers =
-      leading_levers(view, [&](const Vec3& way) { return way - glm::dot(way, along) * along; });
+  const auto levers = leading_levers(
+      view, [&](const Vec3& way) { return errors_of(way - glm::dot(way, along) * along); });
   set_amount(hint, best_move<3>(errors_of(reading.off_in_bone_mm), levers), key_step_mm);
   return hint;
 }
@@ -202,9 +184,8 @@ Hint turn_fragment_hint(const CoachView& view, const ShiftReading& reading) {
   Hint hint{.text_id = "operate.hint.turn_fragment"};
   hint.values = {{"turned", degree_text(reading.turned_rad)}};
   hint.read_outs = {"aim.turned"};
-  const auto levers = turning_levers(view, [](const Vec3& about) { return about; });
-  const Vec3 error = -reading.turned_rad * reading.turn_axis_in_bone;
-  set_amount(hint, best_move<3>(errors_of(error), levers), key_turn_rad);
+  const auto levers = turning_levers<3>(view.bone_from_view, errors_of);
+  set_amount(hint, best_move<3>(errors_of(-reading.turn_left_in_bone_rad), levers), key_turn_rad);
   return hint;
 }
 
@@ -212,7 +193,7 @@ Hint lead_fragment_hint(const CoachView& view, const ShiftReading& reading) {
   Hint hint{.text_id = "operate.hint.lead_fragment"};
   hint.values = {{"off", mm_text(reading.off_mm)}};
   hint.read_outs = {"aim.off"};
-  const auto levers = leading_levers(view, [](const Vec3& way) { return way; });
+  const auto levers = leading_levers(view, errors_of);
   set_amount(hint, best_move<3>(errors_of(-reading.off_in_bone_mm), levers), key_step_mm);
   return hint;
 }
@@ -308,9 +289,8 @@ ShiftReading shift_reading(const CoachView& view, std::size_t shift) {
   const FreedFragment* const freed = freed_by(view, shift);
   const bool is_fragment = freed != nullptr && freed->fragment.has_value();
   const RigidTransform lies =
-      is_fragment
-          ? view.site->fragments[static_cast<std::size_t>(*freed->fragment)].bone_from_fragment
-          : RigidTransform();
+      is_fragment ? view.site->bone_from_fragments[static_cast<std::size_t>(*freed->fragment)]
+                  : RigidTransform();
   return read_shift(view.plan, shift, lies);
 }
 

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "ui/screens/operating/coach.h"
-#include "ui/screens/operating/hud/fixation_reading.h"
+#include "ui/screens/pictures/fixation_reading.h"
 
 namespace hallux::ui {
 

@@ -8,7 +8,7 @@
 #include "simulator/record/sample_force.h"
 #include "ui/screens/operating/fixation_hints.h"
 #include "ui/screens/operating/hand/tray_card.h"
-#include "ui/screens/operating/hud/fixation_reading.h"
+#include "ui/screens/pictures/fixation_reading.h"
 #include "ui/screens/pictures/way_ahead.h"
 
 namespace hallux::ui {

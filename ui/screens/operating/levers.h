@@ -47,6 +47,24 @@ Chosen best_move(const std::array<double, count>& errors, std::span<const Lever<
   return chosen;
 }
 
+/// Those that turn about the axes of the person's view.
+/// change_of(axis_in_bone)  what a turn about that axis, by the right hand, does to the errors
+template <std::size_t count, typename Change>
+std::array<Lever<count>, 3> turning_levers(const Quat& bone_from_view, const Change& change_of) {
+  const auto about = [&](const Vec3& axis) { return change_of(bone_from_view * axis); };
+  return {{{HandMove::TurnRight, HandMove::TurnLeft, about(Vec3(0.0, 1.0, 0.0))},
+           {HandMove::TurnDown, HandMove::TurnUp, about(Vec3(1.0, 0.0, 0.0))},
+           {HandMove::RollLeft, HandMove::RollRight, about(Vec3(0.0, 0.0, 1.0))}}};
+}
+
+/// Those that lead across the view.
+/// change_of(way_in_bone)  what a way of 1 mm does to the errors
+template <std::size_t count, typename Change>
+std::array<Lever<count>, 2> levers_across(const Quat& bone_from_view, const Change& change_of) {
+  return {{{HandMove::Right, HandMove::Left, change_of(bone_from_view * Vec3(1.0, 0.0, 0.0))},
+           {HandMove::Up, HandMove::Down, change_of(bone_from_view * Vec3(0.0, 1.0, 0.0))}}};
+}
+
 /// As key presses: fine ones where little is left.
 inline void set_amount(Hint& hint, const Chosen& chosen, double key_step) {
   hint.move = chosen.move;

@@ -49,12 +49,9 @@ bool StepProgress::is_ready() const noexcept {
 
 /// Of the step at hand; null where it takes nothing out, or nothing is known yet.
 const scenarios::WantedPart* StepProgress::wanted() const noexcept {
-  const auto takes_out = [](StepKind kind) {
-    return kind == StepKind::Remove || kind == StepKind::Trim;
-  };
-  if (!kind() || !takes_out(*kind())) return nullptr;
+  if (!kind() || !scenarios::takes_out(*kind())) return nullptr;
   const auto part = static_cast<std::size_t>(std::count_if(
-      steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(step_), takes_out));
+      steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(step_), scenarios::takes_out));
   return part < parts_.size() ? &parts_[part] : nullptr;
 }
 

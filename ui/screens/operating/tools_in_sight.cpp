@@ -1,9 +1,9 @@
 #include "ui/screens/operating/tools_in_sight.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "ui/screens/operating/hud/fixation_reading.h"
+#include "ui/screens/pictures/fixation_reading.h"
+#include "ui/screens/pictures/tool_poses.h"
 
 namespace hallux::ui {
 
@@ -13,10 +13,6 @@ using simulator::ToolStatus;
 
 /// A tip is told by a ring that is seen; what lies further back is like a handpiece.
 constexpr double least_outline_mm = 3.0, working_end_mm = 25.0;
-/// Of forceps around a piece.
-constexpr double closed_mm = 6.0;
-/// So far out of the piece their points stand.
-constexpr double outside_mm = 1.0;
 
 const simulator::Tool* tool_of(const OperationInSight& shown) noexcept {
   const scenarios::LaidOutTool* const tool = shown.tools == nullptr ? nullptr : shown.tools->tool();
@@ -27,31 +23,16 @@ bool has_status(const OperationInSight& shown, ToolStatus status) noexcept {
   return shown.loop != nullptr && !shown.is_paused && has(shown.loop->sample.status, status);
 }
 
-/// Any direction square to this one, as near to a wish as may be.
-Vec3 square_to(const Vec3& direction, const Vec3& wish) {
-  const Vec3 across = wish - glm::dot(wish, direction) * direction;
-  if (length_of(across) > 0.1) return unit(across);
-  return unit(glm::cross(direction,
-                         std::abs(direction.x) < 0.9 ? Vec3(1.0, 0.0, 0.0) : Vec3(0.0, 1.0, 0.0)));
-}
-
 /// From the hand to the place of the piece that is nearest to it.
 std::optional<ForcepsInScene> forceps_of(const OperationInSight& shown) {
   if (shown.tools == nullptr || shown.tools->forceps() != Forceps::Holding || shown.bone == nullptr)
     return std::nullopt;
   const std::optional<FragmentSurface> held = shown.bone->fragment(shown.tools->gripped());
   if (!held) return std::nullopt;
-  const Vec3 hand_mm = shown.world_from_target.translation_mm;
-  const Vec3 hand_in_piece_mm = transform_point(inverse(held->world_from_fragment), hand_mm);
-  const auto near = held->tree->nearest(hand_in_piece_mm);
-  if (!near) return std::nullopt;
-  const Vec3 place_mm = transform_point(held->world_from_fragment, near->point_mm);
-  const Vec3 away_mm = place_mm - hand_mm;
-  const Vec3 along =
-      length_of(away_mm) > outside_mm ? unit(away_mm) : axis_x(shown.world_from_target);
-  const Vec3 across = square_to(along, axis_y(shown.world_from_target));
-  return ForcepsInScene{{rotation_from_axes(along, across), place_mm - outside_mm * along},
-                        closed_mm};
+  const std::optional<RigidTransform> piece_from_jaws =
+      jaws_around(*held->tree, inverse(held->world_from_fragment) * shown.world_from_target);
+  if (!piece_from_jaws) return std::nullopt;
+  return ForcepsInScene{held->world_from_fragment * *piece_from_jaws, jaws_opening_mm};
 }
 
 DriverInScene driver_of(const OperationInSight& shown, const simulator::Tool& tool,
@@ -116,11 +97,9 @@ void add_planned_fixation(Scene& scene, const OperationInSight& shown) {
   const RigidTransform& world_from_bone = shown.prepared_case.bone.world_from_bone;
   if (shown.implant != nullptr) {
     const scenarios::PlannedImplant& planned = *shown.implant;
-    const Vec3 across = square_to(planned.direction_in_bone, Vec3(0.0, 1.0, 0.0));
-    scene.implants.push_back(
-        {world_from_bone * RigidTransform{rotation_from_axes(planned.direction_in_bone, across),
-                                          planned.tip_in_bone_mm},
-         planned_tool(planned), true});
+    const RigidTransform bone_from_tool =
+        pose_along(planned.direction_in_bone, Vec3(0.0, 1.0, 0.0), planned.tip_in_bone_mm);
+    scene.implants.push_back({world_from_bone * bone_from_tool, planned_tool(planned), true});
   }
   if (!shown.shift || shown.tools == nullptr || shown.bone == nullptr) return;
   const std::optional<FragmentSurface> held = shown.bone->fragment(shown.tools->gripped());

@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "simulator/base/units.h"
+#include "ui/screens/pictures/fixation_reading.h"
+#include "ui/screens/pictures/rotation_vector.h"
+#include "ui/screens/pictures/tool_poses.h"
 
 namespace hallux::ui {
 
@@ -17,18 +20,8 @@ constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double near_plan_mm = 12.0;
 /// As they are drawn: the true rates are a blur.
 constexpr double swings_per_second = 9.0, turns_per_second = 3.0;
-/// Of forceps around a piece; so far out of it their points stand.
-constexpr double opening_mm = 6.0, outside_mm = 1.0;
 
 double angle_rad(double cosine) noexcept { return std::acos(std::clamp(cosine, -1.0, 1.0)); }
-
-/// Square to a unit direction, as near to a wish as may be.
-Vec3 square_to(const Vec3& direction, const Vec3& wish) noexcept {
-  const Vec3 across = wish - glm::dot(wish, direction) * direction;
-  if (length_of(across) > 0.1) return unit(across);
-  const bool is_near_x = std::abs(direction.x) >= 0.9;
-  return unit(glm::cross(direction, is_near_x ? Vec3(0.0, 1.0, 0.0) : Vec3(1.0, 0.0, 0.0)));
-}
 
 std::optional<ForcepsInScene> forceps_of(const simulator::Grip& grip,
                                          const simulator::BoneMoment& bone,
@@ -39,15 +32,10 @@ std::optional<ForcepsInScene> forceps_of(const simulator::Grip& grip,
   if (piece == nullptr) return std::nullopt;
   const RigidTransform piece_from_hand =
       inverse(history.world_from_fragment(grip.fragment, grip.from_tick)) * grip.world_from_tool;
-  const Vec3& hand_mm = piece_from_hand.translation_mm;
-  const auto near = piece->tree.nearest(hand_mm);
-  if (!near) return std::nullopt;
-  const Vec3 way_mm = near->point_mm - hand_mm;
-  const Vec3 along = length_of(way_mm) > outside_mm ? unit(way_mm) : axis_x(piece_from_hand);
-  const Vec3 across = square_to(along, axis_y(piece_from_hand));
-  const RigidTransform piece_from_jaws{rotation_from_axes(along, across),
-                                       near->point_mm - outside_mm * along};
-  return ForcepsInScene{bone.world_from_fragment(grip.fragment) * piece_from_jaws, opening_mm};
+  const std::optional<RigidTransform> piece_from_jaws = jaws_around(piece->tree, piece_from_hand);
+  if (!piece_from_jaws) return std::nullopt;
+  return ForcepsInScene{bone.world_from_fragment(grip.fragment) * *piece_from_jaws,
+                        jaws_opening_mm};
 }
 
 bool is_set_by(const scenarios::PlannedImplant& planned, const Tool& tool) noexcept {
@@ -57,12 +45,11 @@ bool is_set_by(const scenarios::PlannedImplant& planned, const Tool& tool) noexc
 
 ToPlan axis_to_plan(const scenarios::PlannedImplant& planned,
                     const RigidTransform& bone_from_tool) noexcept {
-  const Vec3 axis = axis_x(bone_from_tool);
-  const Vec3 from_entry_mm = bone_from_tool.translation_mm - planned.entry_in_bone_mm;
+  const ImplantReading reading = read_implant(planned, bone_from_tool);
   ToPlan to;
-  to.distance_mm = length_of(from_entry_mm - glm::dot(from_entry_mm, axis) * axis);
-  to.tilt_rad = angle_rad(glm::dot(axis, planned.direction_in_bone));
-  to.depth_mm = glm::dot(from_entry_mm, planned.direction_in_bone);
+  to.distance_mm = reading.entry_mm;
+  to.tilt_rad = reading.direction_rad;
+  to.depth_mm = reading.depth_mm;
   return to;
 }
 
@@ -118,8 +105,7 @@ ToPlan driver_to_plan(const scenarios::Plan& plan, const RigidTransform& bone_fr
 ToPlan piece_moved(const RigidTransform& bone_from_piece, const Vec3& place_mm) noexcept {
   ToPlan moved;
   moved.distance_mm = length_of(transform_point(bone_from_piece, place_mm) - place_mm);
-  const Quat& turn = bone_from_piece.rotation;
-  moved.tilt_rad = 2.0 * std::atan2(length_of(Vec3(turn.x, turn.y, turn.z)), std::abs(turn.w));
+  moved.tilt_rad = length_of(rotation_vector(bone_from_piece.rotation));
   return moved;
 }
 

@@ -97,6 +97,28 @@ TEST(CoachOfAWedge, NamesTheCutThatHoldsAndHasItTakenUp) {
   EXPECT_EQ(deeds_of(operation), (std::vector{1.0, 1.0}));
 }
 
+/// However the blade is held, who obeys turns it to its plane, and not in circles.
+TEST(CoachOfATurnedBlade, LeadsBackFromWhereverTheHandHoldsIt) {
+  VirtualOperation operation("silver");
+  operation.press_step();
+  operation.advance(ticks_per_look);
+  for (const Vec3& turn : {Vec3(1.2, 0.9, -0.8), Vec3(-1.4, 0.3, 1.1), Vec3(0.2, -1.3, 1.5)}) {
+    simulator::PointerMotion motion;
+    motion.turned_rad = Vec2(turn.x, turn.y);
+    motion.rolled_rad = turn.z;
+    operation.advance(1500, motion);
+    const double begun_s = operation.time_s();
+    const auto is_tilted = [&] {
+      const std::optional<Hint> hint = next_hint(coach_view(operation.sources()));
+      return hint && hint->text_id == "operate.hint.tilt";
+    };
+    EXPECT_TRUE(is_tilted());
+    while (is_tilted() && operation.time_s() < begun_s + 30.0)
+      obey(operation, *next_hint(coach_view(operation.sources())));
+    EXPECT_FALSE(is_tilted()) << turn.x << " " << turn.y << " " << turn.z;
+  }
+}
+
 TEST(HintWords, SayWhatTheHandDoesThatHoldsADevice) {
   using Led = simulator::SteeredDevice::Led;
   const Hint push{.text_id = "operate.hint.wait", .move = HandMove::Push};

@@ -126,13 +126,9 @@ void SiteSurvey::renew_beside(LiveCut& cut) {
 
 void SiteSurvey::renew_fragments(const LiveCut& cut) {
   const RigidTransform bone_from_world = inverse(prepared_case_.bone.world_from_bone);
-  const simulator::FragmentPoses& poses = cut.kerfs().fragments();
-  facts_.fragments.clear();
-  for (std::int32_t fragment = 0; fragment < cut.fragment_count(); ++fragment) {
-    facts_.fragments.push_back({bone_from_world * cut.world_from_fragment(fragment),
-                                cut.own_piece(fragment), cut.is_out(fragment),
-                                fragment >= poses.bone_count()});
-  }
+  facts_.bone_from_fragments.clear();
+  for (std::int32_t fragment = 0; fragment < cut.fragment_count(); ++fragment)
+    facts_.bone_from_fragments.push_back(bone_from_world * cut.world_from_fragment(fragment));
 }
 
 /// Pieces by what is nearest of their surface, implants by their tips.
@@ -165,9 +161,8 @@ void SiteSurvey::renew_reach(LiveCut& cut) {
 }
 
 void SiteSurvey::renew_metal(const LiveCut& cut) {
-  const RigidTransform bone_from_world = inverse(prepared_case_.bone.world_from_bone);
   const auto bone_from = [&](std::int32_t fragment) {
-    return bone_from_world * cut.world_from_fragment(fragment);
+    return facts_.bone_from_fragments[static_cast<std::size_t>(fragment)];
   };
   facts_.implants.clear();
   for (std::int32_t number = 0; number < cut.implants().count(); ++number) {
@@ -240,7 +235,7 @@ void SiteSurvey::renew_parts(LiveCut& cut) {
   }
   const std::vector<scenarios::WantedPart> before = std::exchange(facts_.parts, {});
   for (const scenarios::OperationStep& step : prepared_case_.scenario.steps) {
-    if (!takes_out(step)) continue;
+    if (!scenarios::takes_out(step.kind)) continue;
     facts_.parts.push_back(wanted_part(step, prepared_case_.plan, facts_.cuts, fragments));
     // What came off before its fragment was divided has come off for good.
     const std::size_t part = facts_.parts.size() - 1;

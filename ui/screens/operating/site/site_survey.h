@@ -16,14 +16,6 @@
 
 namespace hallux::ui {
 
-/// Where a fragment lies, and whether it is one that moves: not a bone's own.
-struct SiteFragment {
-  RigidTransform bone_from_fragment;
-  /// Its number as a piece.
-  std::int32_t piece = 0;
-  bool is_out = false, is_moved = false;
-};
-
 /// Nearest to the tip of what is in the hand.
 struct WithinReach {
   /// That forceps would grip: what came free, or a fragment that was moved before.
@@ -64,8 +56,8 @@ struct SiteFacts {
   std::vector<scenarios::WantedPart> parts;
   /// The pieces are worked out: until then nobody knows whether one is free.
   bool are_pieces_due = false;
-  /// By their numbers.
-  std::vector<SiteFragment> fragments;
+  /// Where each fragment lies, by their numbers.
+  std::vector<RigidTransform> bone_from_fragments;
   WithinReach reach;
   std::vector<StandingImplant> implants;
   std::vector<BoredHole> bores;
@@ -95,6 +87,7 @@ class SiteSurvey {
   void renew_beside(simulator::LiveCut& cut);
   void renew_fragments(const simulator::LiveCut& cut);
   void renew_reach(simulator::LiveCut& cut);
+  /// After the fragments.
   void renew_metal(const simulator::LiveCut& cut);
   void renew_freed(simulator::LiveCut& cut);
   void find_freed(simulator::LiveCut& cut, std::int32_t fragment, const Vec3& place_mm,

@@ -48,9 +48,9 @@ TEST_F(ChevronByHints, PartsTheHeadLeadsItToItsPlaceAndDrivesItHome) {
   EXPECT_EQ(count(CutEventKind::FragmentParted), 1);
   EXPECT_EQ(count(CutEventKind::Gripped), 1);
   const SiteFacts& site = *operation_->site();
-  ASSERT_EQ(site.fragments.size(), 2U);
+  ASSERT_EQ(site.bone_from_fragments.size(), 2U);
   const ShiftReading lies =
-      read_shift(operation_->prepared_case().plan, 0, site.fragments[1].bone_from_fragment);
+      read_shift(operation_->prepared_case().plan, 0, site.bone_from_fragments[1]);
   EXPECT_NEAR(lies.moved_mm, 5.0, 1.0);
   EXPECT_LT(lies.turned_rad, 0.1);
 }

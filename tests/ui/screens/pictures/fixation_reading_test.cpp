@@ -1,4 +1,4 @@
-#include "ui/screens/operating/hud/fixation_reading.h"
+#include "ui/screens/pictures/fixation_reading.h"
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST(ShiftReading, TellsWayAndTurnThatAreLeft) {
   EXPECT_NEAR(reading.off_mm, 4.0, 1.0e-9);
   EXPECT_NEAR(reading.moved_mm, 1.0, 1.0e-9);
   EXPECT_NEAR(reading.turned_rad, turned_rad, 1.0e-9);
-  EXPECT_NEAR(reading.turn_axis_in_bone.y, -1.0, 1.0e-9) << "back";
+  EXPECT_NEAR(reading.turn_left_in_bone_rad.y, -turned_rad, 1.0e-9) << "back";
 }
 
 }  // namespace

@@ -27,8 +27,8 @@ struct ShiftReading {
   double off_mm = 0.0;
   /// Of that place, so far.
   double moved_mm = 0.0;
-  /// From the planned orientation: about this axis of the bone frame, by that angle.
-  Vec3 turn_axis_in_bone{1.0, 0.0, 0.0};
+  /// From its orientation to the planned one, axis times angle, bone frame; and how much that is.
+  Vec3 turn_left_in_bone_rad{0.0, 0.0, 0.0};
   double turned_rad = 0.0;
 };
 

@@ -1,9 +1,7 @@
-#include "ui/screens/operating/hud/fixation_reading.h"
-
-#include <algorithm>
-#include <cmath>
+#include "ui/screens/pictures/fixation_reading.h"
 
 #include "simulator/base/elementary.h"
+#include "ui/screens/pictures/rotation_vector.h"
 
 namespace hallux::ui {
 
@@ -50,12 +48,9 @@ ShiftReading read_shift(const scenarios::Plan& plan, std::size_t shift,
   reading.off_in_bone_mm = transform_point(target, fragment.holds_in_bone_mm) - now_mm;
   reading.off_mm = length_of(reading.off_in_bone_mm);
   reading.moved_mm = length_of(now_mm - fragment.holds_in_bone_mm);
-  Quat turn = target.rotation * glm::conjugate(bone_from_fragment.rotation);
-  if (turn.w < 0.0) turn = -turn;
-  const Vec3 axis(turn.x, turn.y, turn.z);
-  const double sine = length_of(axis);
-  if (sine > 0.0) reading.turn_axis_in_bone = axis / sine;
-  reading.turned_rad = 2.0 * elementary::atan2(sine, turn.w);
+  reading.turn_left_in_bone_rad =
+      rotation_vector(target.rotation * glm::conjugate(bone_from_fragment.rotation));
+  reading.turned_rad = length_of(reading.turn_left_in_bone_rad);
   return reading;
 }
 
