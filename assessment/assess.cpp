@@ -38,7 +38,7 @@ RebuiltBone rebuild_and_follow(FollowedEffects& effects, const scenarios::Scenar
     effects.follow(sample, kerfs);
   };
   return rebuild(bone, scenarios::tray_of(scenario), recording, progress, nullptr, follow,
-                 {planned_bridges(plan)});
+                 hinges_of(plan));
 }
 
 void find_faces(Examination& examination, const scenarios::Scenario& scenario,
@@ -70,9 +70,13 @@ void measure_all(Examination& examination, const Evidence& evidence, const Follo
   remark_sawn_after_done(all, evidence);
   add(all, measure_deeds(evidence, progress));
   add(all, measure_closings(evidence));
-  const WhatIsLeft left = what_is_left(evidence);
-  add(all, measure_fragments(left, evidence));
-  add(all, measure_implants(left, evidence));
+  const scenarios::PlannedFixation& fixation = evidence.plan.fixation;
+  if (!fixation.fragments.empty() || !fixation.implants.empty()) {
+    const WhatIsLeft left =
+        what_is_left(evidence.recording, evidence.rebuilt, evidence.bone, evidence.plan);
+    add(all, measure_fragments(left, evidence));
+    add(all, measure_implants(left, evidence));
+  }
   add(all, measure_process(evidence, effects));
 }
 
@@ -113,7 +117,7 @@ Examination examine_measured(const scenarios::Scenario& scenario, const simulato
                              Measured measured, const Progress& progress) {
   scenarios::Plan plan = plan_on(scenario, bone);
   RebuiltBone rebuilt = rebuild(bone, scenarios::tray_of(scenario), recording, progress,
-                                &measured.opened, {}, {planned_bridges(plan)});
+                                &measured.opened, {}, hinges_of(plan));
   Examination examination{std::move(plan), std::move(rebuilt), {}, {}, {}};
   find_faces(examination, scenario, recording);
   examination.measurements = std::move(measured.measurements);

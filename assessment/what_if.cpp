@@ -12,6 +12,7 @@
 #include "assessment/ledger.h"
 #include "assessment/measure_hinge.h"
 #include "assessment/number_text.h"
+#include "assessment/rebuild/bodies.h"
 #include "assessment/rebuild/moved_kerf.h"
 #include "scenarios/metric_names.h"
 #include "scenarios/tray/laid_out_tools.h"
@@ -253,7 +254,7 @@ struct MovedAttempt {
 /// The bone as the kerfs lie now; each face counts as it did before, and is as finished.
 void rebuild_moved(MovedAttempt& moved, const Evidence& before) {
   moved.rebuilt.emplace(rebuild(before.bone, scenarios::tray_of(before.scenario), moved.recording,
-                                {}, &moved.fields, {}, {planned_bridges(before.plan)}));
+                                {}, &moved.fields, {}, hinges_of(before.plan)));
   moved.faces.assign(before.faces.size(), {});
   for (std::size_t cut = 0; cut < before.faces.size(); ++cut) {
     for (const CutFace& was : before.faces[cut]) {

@@ -383,7 +383,7 @@ constexpr std::array<MetricName, static_cast<std::size_t>(Metric::Count)> metric
      "",
      Attempt,
      Lower,
-     {"The way of the blade near the bone is ", " times the shortest one"}},
+     {"The way of the tool near the bone is ", " times the shortest one"}},
 }};
 
 /// Each metric has its row, at its place, and every one that is no claim has words.

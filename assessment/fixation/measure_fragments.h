@@ -6,6 +6,7 @@
 
 #include "assessment/fixation/what_is_left.h"
 #include "assessment/measurement.h"
+#include "assessment/rebuild/evidence.h"
 
 namespace hallux::assessment {
 

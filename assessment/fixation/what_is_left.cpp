@@ -2,14 +2,12 @@
 
 namespace hallux::assessment {
 
-WhatIsLeft what_is_left(const Evidence& evidence) {
+WhatIsLeft what_is_left(const simulator::Recording& recording, const RebuiltBone& rebuilt,
+                        const simulator::Bone& bone, const scenarios::Plan& plan) {
   WhatIsLeft left;
-  const scenarios::PlannedFixation& planned = evidence.plan.fixation;
-  if (planned.fragments.empty() && planned.implants.empty()) return left;
-  left.bodies = bodies_of(evidence.rebuilt, evidence.plan, evidence.bone.name);
-  left.placements = placements_of(left.bodies, evidence.rebuilt, evidence.plan);
-  left.fixation =
-      fixation_of(evidence.recording, evidence.rebuilt, left.bodies, evidence.bone, evidence.plan);
+  left.bodies = bodies_of(rebuilt, plan, bone.name);
+  left.placements = placements_of(left.bodies, rebuilt, plan);
+  left.fixation = fixation_of(recording, rebuilt, left.bodies, bone, plan);
   left.is_held = held_by(left.fixation, left.bodies);
   return left;
 }

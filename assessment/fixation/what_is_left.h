@@ -1,16 +1,14 @@
-/// The bodies and implants of an attempt as its metrics need them. Inside this corner only.
+/// What an attempt leaves, as its metrics and its exports need it: the bodies and how they lie, the
+/// implants and what they hold.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "assessment/rebuild/bodies.h"
-#include "assessment/rebuild/evidence.h"
 #include "assessment/rebuild/implants.h"
 
 namespace hallux::assessment {
 
-/// Empty where the operation plans neither fragments nor implants.
 struct WhatIsLeft {
   std::vector<Body> bodies;
   /// Of each body.
@@ -19,6 +17,9 @@ struct WhatIsLeft {
   Fixation fixation;
 };
 
-WhatIsLeft what_is_left(const Evidence& evidence);
+/// rebuilt  from that recording of that bone
+/// plan     on that bone
+WhatIsLeft what_is_left(const simulator::Recording& recording, const RebuiltBone& rebuilt,
+                        const simulator::Bone& bone, const scenarios::Plan& plan);
 
 }  // namespace hallux::assessment

@@ -99,7 +99,7 @@ std::vector<bool> kept_of(const StepTicks& ticks) {
 }
 
 /// Steps that nobody had to carry out: optional ones that were passed over, and alternatives in
-/// whose place another one was carried out.
+/// whose place another one was carried out. Of alternatives of which none was, the first counts.
 std::vector<bool> not_required(const scenarios::Scenario& scenario, const StepTicks& ticks) {
   std::vector<bool> is_not(ticks.size(), false);
   for (std::size_t step = 0; step < ticks.size(); ++step) {
@@ -107,7 +107,8 @@ std::vector<bool> not_required(const scenarios::Scenario& scenario, const StepTi
     if (ticks[step]) continue;
     is_not[step] = one.is_optional;
     for (std::size_t other = 0; other < ticks.size() && !one.one_of.empty(); ++other) {
-      if (ticks[other] && scenario.steps[other].one_of == one.one_of) is_not[step] = true;
+      const bool stands_for_it = ticks[other].has_value() || other < step;
+      if (stands_for_it && scenario.steps[other].one_of == one.one_of) is_not[step] = true;
     }
   }
   return is_not;

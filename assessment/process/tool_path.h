@@ -1,4 +1,4 @@
-/// How far the blade went for what it sawed. Inside this room only.
+/// How far the tools went for what they sawed and bored. Inside this room only.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,10 @@
 
 namespace hallux::assessment {
 
-/// The way of the middle of the tooth line while it was within 50 mm of the bone, low-passed,
-/// divided by the shortest way of the plan: from where the tool was first, for each stroke straight
-/// to where its bone begins, to its end and back. Nothing where the blade never came near. Its
+/// The way of the middle of the tooth line, or of a tip, while it was within 50 mm of the bone,
+/// low-passed, divided by the shortest way of the plan: from where the tool was first, for each
+/// stroke straight to where its bone begins, to its end and back; so for each wire of a step that
+/// was done, and twice for each screw, which is drilled for. Nothing where no tool came near. Its
 /// moment is the whole time near the bone.
 /// surface  of the bone as it was, in its frame
 /// errors   ScenarioError where a planned face misses the bone (see planned_strokes); those of

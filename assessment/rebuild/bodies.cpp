@@ -175,6 +175,10 @@ void measure_error(const Body& body, const scenarios::Plan& plan, BodyPlacement&
 
 }  // namespace
 
+ClosedHinges hinges_of(const scenarios::Plan& plan) {
+  return {planned_bridges(plan), !plan.fixation.fragments.empty()};
+}
+
 std::vector<Body> bodies_of(const RebuiltBone& rebuilt, const scenarios::Plan& plan,
                             const std::string& bone_name) {
   std::vector<Body> bodies;

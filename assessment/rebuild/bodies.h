@@ -1,5 +1,5 @@
 /// The bodies of a bone as an attempt left them: where each lies now, how far it came from where it
-/// was cut, and how it stands against the others.
+/// was cut, and how it stands against the others. Inside this room only.
 #pragma once
 
 #include <cstddef>
@@ -31,6 +31,9 @@ struct Body {
   /// Over its surface, where it was cut.
   std::unique_ptr<const simulator::Bvh> tree;
 };
+
+/// The plan's hinges; where it asks how fragments lie, their halves are bodies of their own.
+ClosedHinges hinges_of(const scenarios::Plan& plan);
 
 /// In the order of the pieces, what was taken out last.
 /// bone_name  of the bone that was operated on

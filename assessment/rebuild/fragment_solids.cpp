@@ -22,6 +22,7 @@ using simulator::CutEvent;
 using simulator::CutEventKind;
 using simulator::CutSolid;
 using simulator::Recording;
+using simulator::ToolSample;
 using simulator::WholeBone;
 
 /// The share of a region's volume that is rounding: positions are kept to about 1e-9 of a bone.
@@ -57,11 +58,14 @@ std::optional<Vec3> place_of_piece(const Recording& recording, std::size_t event
   return std::nullopt;
 }
 
+bool holds(const CutSolid& solid, const Vec3& place_mm) {
+  return Bvh(solid.mesh).contains(place_mm);
+}
+
 /// Moves the solids that hold the point from one list to another.
 void move_those_at(const Vec3& place_mm, std::vector<CutSolid>& from, std::vector<CutSolid>& to) {
-  const auto held = std::stable_partition(from.begin(), from.end(), [&](const CutSolid& solid) {
-    return !Bvh(solid.mesh).contains(place_mm);
-  });
+  const auto held = std::stable_partition(
+      from.begin(), from.end(), [&](const CutSolid& solid) { return !holds(solid, place_mm); });
   std::move(held, from.end(), std::back_inserter(to));
   from.erase(held, from.end());
 }
@@ -95,28 +99,72 @@ bool goes_on_after(const Recording& recording, std::size_t event) {
                      });
 }
 
+/// Whether the saw runs afterwards in a kerf that was begun before.
+bool goes_on_in_kerfs(const Recording& recording, std::size_t event) {
+  const auto begun = std::count_if(
+      recording.events.begin(), recording.events.begin() + static_cast<std::ptrdiff_t>(event),
+      [](const CutEvent& before) { return before.kind == CutEventKind::PlaneFrozen; });
+  const auto first =
+      std::partition_point(recording.samples.begin(), recording.samples.end(),
+                           [tick = recording.events[event].tick](const ToolSample& sample) {
+                             return sample.tick < tick;
+                           });
+  return std::any_of(first, recording.samples.end(), [begun](const ToolSample& sample) {
+    return sample.kerf >= 0 && sample.kerf < begun &&
+           has(sample.status, simulator::ToolStatus::SawOn);
+  });
+}
+
+/// Opens them by what was recorded before an event.
+void open_until(simulator::KerfSet& kerfs, const Recording& recording, std::size_t event) {
+  std::size_t next = 0;
+  const auto apply_events_to = [&](std::int64_t tick) {
+    for (; next < event && recording.events[next].tick <= tick; ++next)
+      kerfs.apply(recording.events[next]);
+  };
+  const std::int64_t last_tick = recording.events[event].tick;
+  for (const ToolSample& sample : recording.samples) {
+    if (sample.tick >= last_tick) break;
+    apply_events_to(sample.tick);
+    kerfs.apply(sample);
+  }
+  apply_events_to(last_tick);
+}
+
 }  // namespace
 
 FragmentSolids::FragmentSolids(RebuiltBone& rebuilt, const simulator::Bone& bone,
                                const ClosedHinges& hinges)
-    : rebuilt_(rebuilt), hinges_(hinges) {
+    : rebuilt_(rebuilt), hinges_(hinges), world_from_bone_(bone.world_from_bone) {
   add(simulator::uncut_solid(solid_of(bone)), 0);
-  rebuilt_.input_mm3 = signed_volume_mm3(standing_[0].own->solid.mesh);
+  rebuilt_.input_mm3 = signed_volume_mm3(standing_[0].whole.own->solid.mesh);
 }
 
 void FragmentSolids::add(CutSolid solid, std::int32_t piece) {
-  standing_.push_back({nullptr, nullptr, {}, 0, piece, false});
+  standing_.emplace_back();
+  standing_.back().piece = piece;
   stand_again(standing_.back(), std::move(solid));
+}
+
+FragmentSolids::Sawn FragmentSolids::sawn_from(CutSolid solid) {
+  if (solid.mesh.triangles.empty()) return {};
+  Sawn sawn;
+  sawn.own = std::make_unique<const WholeBone>(std::move(solid));
+  sawn.bone = std::make_unique<CutBone>(*sawn.own);
+  return sawn;
 }
 
 /// The fragment stands as this solid from now on, without kerfs.
 void FragmentSolids::stand_again(Standing& standing, CutSolid solid) {
-  standing.bone.reset();
+  for (Sawn* const sawn : {&standing.left, &standing.whole}) {
+    // Before the solid that it borrows.
+    sawn->bone.reset();
+    sawn->own.reset();
+  }
   standing.kerfs.clear();
-  standing.cut_count = 0;
-  if (solid.mesh.triangles.empty()) return;
-  standing.own = std::make_unique<const WholeBone>(std::move(solid));
-  standing.bone = std::make_unique<CutBone>(*standing.own);
+  standing.taken.clear();
+  standing.cut_count = standing.left_from = 0;
+  standing.whole = sawn_from(std::move(solid));
 }
 
 void FragmentSolids::follow(const Recording& recording, const std::function<void(double)>& done) {
@@ -131,7 +179,7 @@ void FragmentSolids::follow(const Recording& recording, const std::function<void
       if (fragment < standing_.size()) standing_[fragment].kerfs.push_back(frozen);
       ++frozen;
     }
-    if (event.kind == CutEventKind::PieceRemoved) take_out(event, recording.engine);
+    if (event.kind == CutEventKind::PieceRemoved) take_out(recording, i);
     if (event.kind != CutEventKind::FragmentParted) continue;
     const auto parent = static_cast<std::size_t>(event.value);
     if (parent >= standing_.size()) continue;
@@ -145,22 +193,44 @@ void FragmentSolids::follow(const Recording& recording, const std::function<void
 void FragmentSolids::cut_kerfs(Standing& standing, const std::function<void()>& cut_one) {
   for (; standing.cut_count < standing.kerfs.size(); ++standing.cut_count) {
     cut_one();
-    if (standing.bone != nullptr) cut(standing, standing.kerfs[standing.cut_count]);
+    if (standing.whole.bone == nullptr) continue;
+    leave_taken_before(standing);
+    cut(standing, standing.kerfs[standing.cut_count]);
   }
+}
+
+/// What was taken out before the next kerf was begun is in the way of none from now on.
+void FragmentSolids::leave_taken_before(Standing& standing) {
+  const auto later =
+      std::find_if(standing.taken.begin(), standing.taken.end(),
+                   [&](const TakenPiece& taken) { return taken.kerf_count > standing.cut_count; });
+  if (later == standing.taken.begin()) return;
+  std::vector<CutSolid> solids = split_pieces(standing.sawn().bone->after_all());
+  std::vector<CutSolid> gone = taken_from(solids, {standing.taken.begin(), later});
+  standing.taken.erase(standing.taken.begin(), later);
+  if (gone.empty() || solids.empty()) return;
+  std::move(gone.begin(), gone.end(), std::back_inserter(gone_));
+  standing.left.bone.reset();
+  standing.left = sawn_from(gathered(solids));
+  standing.left_from = standing.cut_count;
 }
 
 /// The kerf in the solid that the kerfs before it leave.
 void FragmentSolids::cut(Standing& standing, std::int32_t kerf_number) {
   RebuiltKerf& kerf = rebuilt_.kerfs[static_cast<std::size_t>(kerf_number)];
-  const auto place = static_cast<std::int32_t>(standing.cut_count);
+  CutBone& bone = *standing.sawn().bone;
+  const auto place = static_cast<std::int32_t>(standing.cut_count - standing.left_from);
   const simulator::KerfField& field = rebuilt_.fields.field(kerf_number);
   const simulator::KerfPlane& plane = rebuilt_.fields.plane(kerf_number);
-  const simulator::SolidWithTree before = standing.bone->before(place);
+  const simulator::SolidWithTree before = bone.before(place);
   kerf.section = slice_section(before.solid, before.bvh, plane);
   kerf.outline = outline_of(field);
   measure_regions(kerf, before.solid);
-  standing.bone->put_kerf(place, {kerf_number, plane, field.grid(), kerf.outline});
-  kerf.removed_mm3 = standing.bone->cut(place).removed_mm3;
+  const simulator::OpenedKerf opened{kerf_number, plane, field.grid(), kerf.outline};
+  if (&bone != standing.whole.bone.get())
+    standing.whole.bone->put_kerf(static_cast<std::int32_t>(standing.cut_count), opened);
+  bone.put_kerf(place, opened);
+  kerf.removed_mm3 = bone.cut(place).removed_mm3;
   rebuilt_.removed_mm3 += kerf.removed_mm3;
 }
 
@@ -169,7 +239,7 @@ void FragmentSolids::part(const Recording& recording, std::size_t event) {
   const std::int32_t piece = recording.events[event].subject;
   const auto parent = static_cast<std::size_t>(recording.events[event].value);
   CutSolid parted;
-  if (standing_[parent].bone == nullptr) {
+  if (standing_[parent].whole.bone == nullptr) {
     add(std::move(parted), piece);
     return;
   }
@@ -185,32 +255,80 @@ void FragmentSolids::part(const Recording& recording, std::size_t event) {
 
 /// What turns at the hinge; the rest stands.
 CutSolid FragmentSolids::part_at(const simulator::PlannedBridge& bridge, Standing& parent) {
-  std::vector<CutSolid> left = split_pieces(parent.bone->after_all());
-  take_gone_from(left);
-  simulator::ClosedHinge closed = close_bridge(*parent.bone, gathered(left), bridge);
+  std::vector<CutSolid> left = split_pieces(parent.sawn().bone->after_all());
+  std::vector<CutSolid> gone = taken_from(left, parent.taken);
+  simulator::ClosedHinge closed = close_bridge(*parent.whole.bone, gathered(left), bridge);
   if (closed.outcome != simulator::HingeOutcome::Closed) return {};
+  std::move(gone.begin(), gone.end(), std::back_inserter(gone_));
   stand_again(parent, std::move(closed.fixed));
   return std::move(closed.moved);
 }
 
 /// The piece that holds the point; the rest stands.
 CutSolid FragmentSolids::part_from(const Vec3& place_mm, Standing& parent) {
-  std::vector<CutSolid> left = split_pieces(parent.bone->after_all()), parted;
-  take_gone_from(left);
+  std::vector<CutSolid> left = split_pieces(parent.sawn().bone->after_all()), parted;
+  std::vector<CutSolid> gone = taken_from(left, parent.taken);
+  std::move(gone.begin(), gone.end(), std::back_inserter(gone_));
   move_those_at(place_mm, left, parted);
   stand_again(parent, gathered(left));
   return gathered(parted);
 }
 
-void FragmentSolids::take_gone_from(std::vector<CutSolid>& solids) {
-  for (const Vec3& place_mm : gone_places_mm_) move_those_at(place_mm, solids, gone_);
+bool FragmentSolids::is_of(const CutSolid& solid, const TakenPiece& taken) {
+  return taken.body != nullptr ? lies_in(solid, *taken.body) : holds(solid, taken.inside_mm);
 }
 
-void FragmentSolids::take_out(const CutEvent& event, std::int32_t engine) {
-  for (Standing& standing : standing_) {
-    if (standing.piece == event.subject && event.subject != 0) standing.is_out = true;
+std::vector<CutSolid> FragmentSolids::taken_from(std::vector<CutSolid>& solids,
+                                                 std::span<const TakenPiece> taken) {
+  std::vector<CutSolid> gone;
+  for (const TakenPiece& piece : taken) {
+    // Largest first: the bone itself comes last, and mostly needs no look.
+    for (std::size_t i = solids.size(); i-- > 0;) {
+      if (!is_of(solids[i], piece)) continue;
+      gone.push_back(std::move(solids[i]));
+      solids.erase(solids.begin() + static_cast<std::ptrdiff_t>(i));
+      if (piece.body == nullptr) break;
+    }
   }
-  if (engine >= first_engine_with_places) gone_places_mm_.push_back(place_of(event));
+  return gone;
+}
+
+/// A fragment's own piece goes with all of it. Engines before 7 told no place of another.
+void FragmentSolids::take_out(const Recording& recording, std::size_t event) {
+  const CutEvent& removal = recording.events[event];
+  for (Standing& standing : standing_) {
+    if (standing.piece != removal.subject || removal.subject == 0) continue;
+    standing.is_out = true;
+    return;
+  }
+  if (recording.engine < first_engine_with_places) return;
+  const Vec3 inside_mm = place_of(removal);
+  for (Standing& standing : standing_) {
+    if (standing.is_out || standing.whole.own == nullptr) continue;
+    if (!standing.whole.own->tree.contains(inside_mm)) continue;
+    standing.taken.push_back(
+        {inside_mm, standing.kerfs.size(), body_then(standing, recording, event)});
+    return;
+  }
+}
+
+/// The piece as the kerfs had cut it by then; null where they go no further.
+std::unique_ptr<const Bvh> FragmentSolids::body_then(const Standing& standing,
+                                                     const Recording& recording,
+                                                     std::size_t event) const {
+  if (!goes_on_in_kerfs(recording, event)) return nullptr;
+  simulator::KerfSet then(rebuilt_.fields.tray(), world_from_bone_);
+  open_until(then, recording, event);
+  CutBone bone(*standing.whole.own);
+  for (const std::int32_t kerf : standing.kerfs) {
+    bone.put_kerf(bone.kerf_count(),
+                  {kerf, then.plane(kerf), then.field(kerf).grid(), outline_of(then.field(kerf))});
+  }
+  for (const CutSolid& piece : split_pieces(bone.after_all())) {
+    auto body = std::make_unique<const Bvh>(piece.mesh);
+    if (body->contains(place_of(recording.events[event]))) return body;
+  }
+  return nullptr;
 }
 
 void FragmentSolids::keep(std::vector<CutSolid> solids, bool are_out) {
@@ -223,13 +341,13 @@ void FragmentSolids::keep(std::vector<CutSolid> solids, bool are_out) {
   rebuilt_.debris_count += static_cast<std::int32_t>(sorted.crumbs.size());
 }
 
-/// The smallest piece that holds a place is the one that was taken out there.
-void FragmentSolids::mark_pieces_out(std::size_t first) {
-  for (const Vec3& place_mm : gone_places_mm_) {
+/// Of the fragment's pieces, from that one on.
+void FragmentSolids::mark_taken(const Standing& standing, std::size_t first) {
+  for (const TakenPiece& taken : standing.taken) {
     for (std::size_t piece = rebuilt_.pieces.size(); piece-- > first;) {
-      if (!Bvh(rebuilt_.pieces[piece].mesh).contains(place_mm)) continue;
+      if (!is_of(rebuilt_.pieces[piece], taken)) continue;
       rebuilt_.is_piece_out[piece] = true;
-      break;
+      if (taken.body == nullptr) break;
     }
   }
 }
@@ -237,8 +355,9 @@ void FragmentSolids::mark_pieces_out(std::size_t first) {
 void FragmentSolids::keep_pieces() {
   for (const Standing& standing : standing_) {
     const std::size_t first = rebuilt_.pieces.size();
-    if (standing.bone != nullptr) keep(split_pieces(standing.bone->after_all()), standing.is_out);
-    mark_pieces_out(first);
+    if (standing.whole.bone != nullptr)
+      keep(split_pieces(standing.sawn().bone->after_all()), standing.is_out);
+    mark_taken(standing, first);
     rebuilt_.fragments.push_back(
         {standing.piece, first, rebuilt_.pieces.size() - first, standing.is_out});
   }

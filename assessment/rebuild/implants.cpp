@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "assessment/rebuild/planned_implants.h"
+#include "simulator/cutting/hole/axis_clearance.h"
 #include "simulator/cutting/hole/bore_set.h"
 #include "simulator/cutting/hole/hole_volume.h"
-#include "simulator/cutting/hole/implant_tip.h"
 #include "simulator/cutting/hole/skin_crossings.h"
 #include "simulator/mesh/bvh.h"
 
@@ -17,6 +17,7 @@ namespace {
 using simulator::Bvh;
 using simulator::Capsule;
 using simulator::CutEvent;
+using simulator::CutSolid;
 using simulator::engaged_least_mm;
 using simulator::parallel_sine;
 
@@ -90,17 +91,19 @@ std::vector<LyingBody> lying(const std::vector<Body>& bodies, const RebuiltBone&
   return lie;
 }
 
-/// One body as an axis meets it.
+/// One body as an axis meets it; ways are from the head.
 struct MetBody {
   double engaged_mm = 0.0;
-  /// Way from the head to where the axis first goes in; nothing where it meets none of it.
+  /// To where the axis first goes in; nothing where it meets none of it.
   std::optional<double> entry_mm;
-  /// From where it leaves the body for the last time to the tip; 0 where that lies in it.
-  std::optional<double> beyond_mm;
+  /// To where it is in the body for the last time, be it the tip.
+  std::optional<double> last_mm;
+  /// There it comes out of the body altogether, not into its canal.
+  bool comes_out = false;
   std::int32_t cortices = 0;
 };
 
-MetBody meet(const Axis& axis, const LyingBody& lies, const Bvh& skin) {
+MetBody meet(const Axis& axis, const LyingBody& lies, const CutSolid& solid, const Bvh& skin) {
   const Body& body = lies.body;
   const RigidTransform piece_from_bone = inverse(lies.bone_from_piece);
   const Vec3 head_mm = transform_point(piece_from_bone, axis.head_mm);
@@ -113,17 +116,20 @@ MetBody meet(const Axis& axis, const LyingBody& lies, const Bvh& skin) {
     if (!(to_mm > from_mm)) continue;
     met.engaged_mm += to_mm - from_mm;
     if (!met.entry_mm) met.entry_mm = from_mm;
-    met.beyond_mm = length_mm - to_mm;
+    met.last_mm = to_mm;
   }
   for (const auto& crossing : skin_crossings(*body.tree, head_mm, tip_mm)) {
-    if (skin.nearest(crossing.point_mm, on_skin_mm)) ++met.cortices;
+    const bool is_of_skin = skin.nearest(crossing.point_mm, on_skin_mm).has_value();
+    if (is_of_skin) ++met.cortices;
+    met.comes_out = !crossing.goes_in && (is_of_skin || solid.sources[crossing.triangle].kerf >= 0);
   }
   return met;
 }
 
 /// Joint surfaces go along with the bodies that they are on.
-std::optional<double> tip_to_joint_mm(const Vec3& tip_mm, const std::vector<LyingBody>& bodies,
-                                      const simulator::Bone& bone, const scenarios::Plan& plan) {
+std::optional<double> joint_clearance_mm(const PlacedImplant& placed,
+                                         const std::vector<LyingBody>& bodies,
+                                         const simulator::Bone& bone, const scenarios::Plan& plan) {
   std::optional<double> least_mm;
   for (const scenarios::PlannedJointSurface& joint : plan.joint_surfaces) {
     if (joint.bone != 0) continue;
@@ -137,8 +143,11 @@ std::optional<double> tip_to_joint_mm(const Vec3& tip_mm, const std::vector<Lyin
             3.0;
         if (body.tree->nearest(middle_mm, on_skin_mm)) on_body.push_back(triangle);
       }
-      const auto away_mm = simulator::tip_clearance_mm(
-          transform_point(inverse(bone_from_piece), tip_mm), bone.outer, on_body);
+      const RigidTransform piece_from_bone = inverse(bone_from_piece);
+      const auto away_mm =
+          simulator::axis_clearance_mm({transform_point(piece_from_bone, placed.entry_in_bone_mm),
+                                        transform_point(piece_from_bone, placed.tip_in_bone_mm)},
+                                       bone.outer, on_body);
       if (away_mm && (!least_mm || *away_mm < *least_mm)) least_mm = away_mm;
     }
   }
@@ -160,24 +169,27 @@ void measure_holes(const simulator::BoreSet& bores, const std::vector<Body>& bod
 }
 
 PlacedImplant place(const simulator::Implant& implant, const Axis& axis,
-                    const std::vector<LyingBody>& bodies, const Bvh& skin) {
+                    const std::vector<LyingBody>& bodies, const RebuiltBone& rebuilt,
+                    const Bvh& skin) {
   PlacedImplant placed;
   placed.is_screw = implant.size.is_screw;
   placed.tip_in_bone_mm = axis.tip_mm;
   placed.diameter_mm = 2.0 * implant.size.radius_mm;
   placed.length_mm = implant.size.length_mm;
   placed.is_taken = implant.is_taken;
-  std::optional<double> entry_mm, beyond_mm;
+  std::optional<double> entry_mm, last_mm;
   for (const LyingBody& body : bodies) {
-    const MetBody met = meet(axis, body, skin);
+    const MetBody met = meet(axis, body, rebuilt.pieces[body.body.piece], skin);
     placed.cortices += met.cortices;
     if (met.entry_mm && (!entry_mm || *met.entry_mm < *entry_mm)) entry_mm = met.entry_mm;
-    if (met.beyond_mm && (!beyond_mm || *met.beyond_mm < *beyond_mm)) beyond_mm = met.beyond_mm;
+    if (met.last_mm && (!last_mm || *met.last_mm > *last_mm)) {
+      last_mm = met.last_mm;
+      placed.protrusion_mm = met.comes_out ? placed.length_mm - *last_mm : 0.0;
+    }
     if (met.engaged_mm >= engaged_least_mm) placed.engages.push_back(body.body.name);
   }
   const double share = entry_mm.value_or(0.0) / implant.size.length_mm;
   placed.entry_in_bone_mm = axis.head_mm + share * (axis.tip_mm - axis.head_mm);
-  placed.protrusion_mm = beyond_mm.value_or(0.0);
   return placed;
 }
 
@@ -208,8 +220,8 @@ Fixation fixation_of(const simulator::Recording& recording, const RebuiltBone& r
     const std::vector<LyingBody> lie = lying(bodies, rebuilt, fragments);
     const Axis axis =
         axis_in_bone(implant, pose_of(implant.fragment, fragments, rebuilt.fields.fragments()));
-    PlacedImplant placed = place(implant, axis, lie, skin);
-    placed.tip_to_joint_mm = tip_to_joint_mm(axis.tip_mm, lie, bone, plan);
+    PlacedImplant placed = place(implant, axis, lie, rebuilt, skin);
+    placed.tip_to_joint_mm = joint_clearance_mm(placed, lie, bone, plan);
     placed.left_tick = leaving.tick;
     (implant.is_taken ? fixation.taken : fixation.implants).push_back(std::move(placed));
   }

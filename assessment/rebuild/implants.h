@@ -1,4 +1,4 @@
-/// The wires and screws that an attempt left in the bone, as they lie in it.
+/// The wires and screws that an attempt left in the bone, as they lie in it. Inside this room only.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,11 @@ struct PlacedImplant {
   std::vector<std::string> engages;
   /// Crossings of the outer skin of the bone by its axis; sawn faces and the canal are none.
   std::int32_t cortices = 0;
-  /// From its tip to the nearest planned joint surface; nothing where none is planned.
+  /// From its axis, entry to tip, to the nearest planned joint surface: a tip that went through one
+  /// is far from it again. Nothing where none is planned.
   std::optional<double> tip_to_joint_mm;
-  /// How far its tip stands out of bone; 0 where it lies in bone, or the axis meets none.
+  /// How far its tip stands out of bone; 0 where it lies in bone or in its canal, or the axis meets
+  /// none.
   double protrusion_mm = 0.0;
   /// When it was left.
   std::int64_t left_tick = 0;

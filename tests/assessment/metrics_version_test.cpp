@@ -1,6 +1,6 @@
 /// What two whole performances measure, beside what they measured when the version of the metrics
 /// was raised last: a novice's Silver that touches a zone, dry and with a restart, and an expert's
-/// Akin with its wedge closed.
+/// Akin with its wedge closed and a screw set.
 #include "assessment/metrics_version.h"
 
 #include <gtest/gtest.h>
@@ -36,10 +36,10 @@ struct Listed {
 
 std::string names_of(const Measurement& each) {
   std::string names = each.metric;
-  for (const std::string& name :
-       {each.cut, each.hinge, each.zone, std::string(database::name_of(each.absence)),
-        each.direction, std::string(database::name_of(each.detail.kind)),
-        std::string(database::name_of(each.remark))})
+  for (const std::string& name : {each.cut, each.hinge, each.zone, each.fragment, each.implant,
+                                  std::string(database::name_of(each.absence)), each.direction,
+                                  std::string(database::name_of(each.detail.kind)),
+                                  std::string(database::name_of(each.remark))})
     names += "/" + name;
   for (const std::string& word : each.detail.words) names += "/" + word;
   std::ranges::replace(names, ' ', '_');

@@ -5,6 +5,7 @@
 
 #include "assessment/assess.h"
 #include "assessment/ledger.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
 namespace hallux::assessment {
@@ -13,7 +14,7 @@ namespace {
 constexpr std::uint64_t seed = 85574;
 
 TEST(NoviceWedge, AWedgeThatIsOpenMediallyIsNotScoredAsTurnedOver) {
-  const scenarios::Scenario scenario = scenarios::load_shipped_scenario("akin");
+  const scenarios::Scenario scenario = scenarios_test::format_1("akin");
   const simulator::Bone bone = make_patient(scenario);
   const simulator::Recording recording = tests::run_hand(scenario, bone, "novice", seed).recording;
   const Examination examination = assess_fully(scenario, bone, recording, "scripted");

@@ -11,6 +11,7 @@
 #include "scenarios/neighbour.h"
 #include "scenarios/patient.h"
 #include "scenarios/plan.h"
+#include "tests/scenarios/format_1/format_1.h"
 
 namespace hallux::scenarios_test {
 std::span<const EmbeddedText> metric_files() noexcept;
@@ -41,7 +42,7 @@ std::vector<FootBone> with_a_third() {
 }
 
 json akin_of_the_third() {
-  json akin = json::parse(load_shipped_scenario("akin").text);
+  json akin = json::parse(scenarios_test::format_1("akin").text);
   akin["patient"]["bone"] = "second_proximal_phalanx";
   akin["patient"]["edge_mm"] = 1.5;
   return akin;

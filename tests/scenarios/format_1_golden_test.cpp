@@ -6,6 +6,7 @@
 #include "simulator/base/digest.h"
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::scenarios {
@@ -43,7 +44,7 @@ Bone bone_of(Random& random) {
 double tilt_rad(Random& random) { return radian_from_degree(random.uniform(-45.0, 45.0)); }
 
 Scenario along(Random& random) {
-  Scenario scenario = load_shipped_scenario("silver");
+  Scenario scenario = scenarios_test::format_1("silver");
   ReferenceCut& cut = scenario.cuts[0];
   cut.face.frontal_tilt_rad = tilt_rad(random);
   cut.face.offset_mm = random.uniform(-3.0, 3.0);
@@ -55,7 +56,7 @@ Scenario along(Random& random) {
 
 /// Two pairs of faces at two hinges, one to each side, in a random order of the file.
 Scenario across(Random& random) {
-  Scenario scenario = load_shipped_scenario("akin");
+  Scenario scenario = scenarios_test::format_1("akin");
   const ReferenceHinge first = scenario.hinges[0];
   scenario.hinges.push_back(first);
   scenario.hinges[1].name = "second_hinge";

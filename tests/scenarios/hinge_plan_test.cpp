@@ -5,6 +5,7 @@
 
 #include "scenarios/plan.h"
 #include "simulator/base/units.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::scenarios {
@@ -54,7 +55,7 @@ void expect_near(const Vec3& a, const Vec3& b, double tolerance) {
 }
 
 TEST(HingePlan, OnTheWorkedExamplesSectionHasItsPlanes) {
-  const Plan plan = plan_on(load_shipped_scenario("akin"), cylinder());
+  const Plan plan = plan_on(scenarios_test::format_1("akin"), cylinder());
   // The example rounds to three and four decimals.
   const ReferenceFace& first = plan.cuts.at(0).face;
   expect_near(first.normal, Vec3(1.0, 0.0, 0.0), rounding);
@@ -71,7 +72,7 @@ TEST(HingePlan, OnTheWorkedExamplesSectionHasItsPlanes) {
 
 TEST(HingePlan, PutsTheLineItsThicknessInsideTheFarCortex) {
   for (const Bone& bone : {block(), cylinder()}) {
-    const Plan plan = plan_on(load_shipped_scenario("akin"), bone);
+    const Plan plan = plan_on(scenarios_test::format_1("akin"), bone);
     ASSERT_EQ(plan.hinges.size(), 1U);
     const PlannedHinge& hinge = plan.hinges[0];
     EXPECT_NEAR(hinge.bridge.line.point_in_bone_mm.x, 6.0, rounding);
@@ -83,7 +84,7 @@ TEST(HingePlan, PutsTheLineItsThicknessInsideTheFarCortex) {
 }
 
 TEST(HingePlan, GivesBothFacesTheLineAndTheirWasteBetweenThem) {
-  const Plan plan = plan_on(load_shipped_scenario("akin"), block());
+  const Plan plan = plan_on(scenarios_test::format_1("akin"), block());
   const PlannedHinge& hinge = plan.hinges.at(0);
   for (const PlannedCut& cut : plan.cuts) {
     EXPECT_EQ(cut.hinge, hinge.name);
@@ -106,8 +107,8 @@ TEST(HingePlan, GivesBothFacesTheLineAndTheirWasteBetweenThem) {
 
 TEST(HingePlan, FollowsAnObliqueJointLine) {
   // 1.5 mm over 15: the medial end of the joint lies further distal.
-  const Plan plan =
-      plan_on(load_shipped_scenario("akin"), phalanx(tests::solid_block({33.0, 13.0, 15.0}), 1.5));
+  const Plan plan = plan_on(scenarios_test::format_1("akin"),
+                            phalanx(tests::solid_block({33.0, 13.0, 15.0}), 1.5));
   const Vec3 joint = Vec3(1.5, 0.0, -7.5) - Vec3(0.0, 0.0, 7.5);
   const ReferenceFace& first = plan.cuts.at(0).face;
   EXPECT_NEAR(glm::dot(first.normal, joint), 0.0, rounding);
@@ -118,7 +119,7 @@ TEST(HingePlan, FollowsAnObliqueJointLine) {
 }
 
 TEST(HingePlan, TiltsAFaceAsTheFormatSays) {
-  Scenario akin = load_shipped_scenario("akin");
+  Scenario akin = scenarios_test::format_1("akin");
   akin.cuts[0].face.transverse_tilt_rad = radian_from_degree(5.0);
   akin.cuts[0].face.sagittal_tilt_rad = radian_from_degree(-7.0);
   const Vec3 normal = plan_on(akin, block()).cuts.at(0).face.normal;
@@ -128,10 +129,10 @@ TEST(HingePlan, TiltsAFaceAsTheFormatSays) {
 }
 
 TEST(HingePlan, OnTheMedialSideIsItsMirrorImage) {
-  Scenario mirrored = load_shipped_scenario("akin");
+  Scenario mirrored = scenarios_test::format_1("akin");
   mirrored.hinges[0].side = "medial";
   for (ReferenceCut& cut : mirrored.cuts) cut.approach = "lateral";
-  const Plan there = plan_on(load_shipped_scenario("akin"), cylinder());
+  const Plan there = plan_on(scenarios_test::format_1("akin"), cylinder());
   const Plan here = plan_on(mirrored, cylinder());
   const auto mirror = [](const Vec3& v) { return Vec3(v.x, v.y, -v.z); };
   expect_near(here.hinges.at(0).bridge.line.point_in_bone_mm,
@@ -144,10 +145,10 @@ TEST(HingePlan, OnTheMedialSideIsItsMirrorImage) {
 
 TEST(HingePlan, WithoutRoomInTheBoneIsRefused) {
   const Bone thin = phalanx(tests::solid_block({33.0, 13.0, 1.9}));
-  EXPECT_EQ(refusal_of(load_shipped_scenario("akin"), thin),
+  EXPECT_EQ(refusal_of(scenarios_test::format_1("akin"), thin),
             "akin: hinges[0] \"lateral_hinge\": the bone \"stand_in\" is too thin for it; mend "
             "thickness_mm or the face of \"proximal_face\"");
-  Scenario missing = load_shipped_scenario("akin");
+  Scenario missing = scenarios_test::format_1("akin");
   missing.cuts[0].face.offset_mm = -1.0;
   EXPECT_NE(refusal_of(missing, block()).find("cuts[0] \"proximal_face\": its plane misses"),
             std::string::npos);

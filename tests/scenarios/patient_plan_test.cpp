@@ -4,13 +4,14 @@
 #include <cmath>
 
 #include "scenarios/plan.h"
+#include "tests/scenarios/format_1/format_1.h"
 
 namespace hallux::scenarios {
 namespace {
 
 /// The shape is the same at any edge length; a coarse one is enough to see where the plane lies.
 Scenario coarse_silver() {
-  Scenario scenario = load_shipped_scenario("silver");
+  Scenario scenario = scenarios_test::format_1("silver");
   scenario.patient.edge_mm = 1.0;
   return scenario;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "simulator/base/units.h"
+#include "tests/scenarios/format_1/format_1.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -33,7 +34,7 @@ Bone block_bone() {
 }
 
 Scenario silver_with_tilt(double tilt_deg) {
-  Scenario scenario = load_shipped_scenario("silver");
+  Scenario scenario = scenarios_test::format_1("silver");
   scenario.cuts[0].face.frontal_tilt_rad = radian_from_degree(tilt_deg);
   scenario.joint_surfaces.clear();
   return scenario;

@@ -1,5 +1,6 @@
 /// A guide leads to the plane of the step at hand, half a kerf into the waste.
 #include "scenarios/planned_guide.h"
+#include "tests/scenarios/format_1/format_1.h"
 
 #include <gtest/gtest.h>
 
@@ -20,7 +21,7 @@ Plan plan_of(const Scenario& scenario) {
 }
 
 TEST(PlannedGuide, LeadsToTheCutOfTheStepAndWhileLookingToTheNext) {
-  const Scenario akin = load_shipped_scenario("akin");
+  const Scenario akin = scenarios_test::format_1("akin");
   const auto planes = planned_guide(akin, plan_of(akin), Guidance::Soft).of_step;
   const double half_kerf_mm = 0.5 * akin.saw.blade.kerf_mm;
   ASSERT_TRUE(planes[0] && planes[1] && planes[2]);
@@ -32,7 +33,7 @@ TEST(PlannedGuide, LeadsToTheCutOfTheStepAndWhileLookingToTheNext) {
 }
 
 TEST(PlannedGuide, OfNobodyWhoAskedForOneIsEmpty) {
-  const Scenario akin = load_shipped_scenario("akin");
+  const Scenario akin = scenarios_test::format_1("akin");
   const simulator::GuidePlan guide = planned_guide(akin, plan_of(akin), Guidance::None);
   EXPECT_EQ(guide.guidance, Guidance::None);
   for (const auto& plane : guide.of_step) EXPECT_FALSE(plane);

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "simulator/base/units.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/support/temporary_directory.h"
 
 namespace hallux::scenarios_test {
@@ -20,7 +21,7 @@ namespace {
 
 using nlohmann::json;
 
-json silver_json() { return json::parse(load_shipped_scenario("silver").text); }
+json silver_json() { return json::parse(scenarios_test::format_1("silver").text); }
 
 std::string refusal_of(std::string_view text, std::string_view name = "silver.json") {
   try {
@@ -41,7 +42,7 @@ TEST(Scenario, ShippedOnesAreReadableAndNamedLikeTheirFile) {
 }
 
 TEST(Scenario, SilverCutsAlongTheShaftOneMillimetreMedialToTheSulcus) {
-  const Scenario silver = load_shipped_scenario("silver");
+  const Scenario silver = scenarios_test::format_1("silver");
   ASSERT_EQ(silver.cuts.size(), 1U);
   const ReferenceCut& cut = silver.cuts[0];
   EXPECT_EQ(cut.name, "eminence");
@@ -66,7 +67,7 @@ const std::map<std::string, std::int64_t> whole_weights{{"accuracy", 50'000},
                                                         {"efficiency", 8'000}};
 
 TEST(Scenario, SilverWeighsAllOfItsGroups) {
-  const Rubric rubric = load_shipped_scenario("silver").rubric;
+  const Rubric rubric = scenarios_test::format_1("silver").rubric;
   ASSERT_EQ(rubric.groups.size(), 5U);
   ASSERT_EQ(rubric.items.size(), 20U);
   EXPECT_EQ(rubric.groups[0].weight_milli, 50'000);
@@ -83,7 +84,7 @@ TEST(Scenario, SilverWeighsAllOfItsGroups) {
 }
 
 TEST(Scenario, AkinJoinsTwoFacesAcrossTheBoneAtAHingeInsideTheLateralCortex) {
-  const Scenario akin = load_shipped_scenario("akin");
+  const Scenario akin = scenarios_test::format_1("akin");
   ASSERT_EQ(akin.cuts.size(), 2U);
   EXPECT_EQ(akin.cuts[0].face.kind, FaceKind::Transverse);
   EXPECT_EQ(akin.cuts[0].face.offset_mm, 6.0);
@@ -105,7 +106,7 @@ TEST(Scenario, AkinJoinsTwoFacesAcrossTheBoneAtAHingeInsideTheLateralCortex) {
 }
 
 TEST(Scenario, AkinWeighsAllOfItsGroups) {
-  const Rubric rubric = load_shipped_scenario("akin").rubric;
+  const Rubric rubric = scenarios_test::format_1("akin").rubric;
   for (const RubricItem& item : rubric.items) EXPECT_TRUE(item.is_provisional) << item.id;
   EXPECT_EQ(weights_of(rubric), whole_weights);
   ASSERT_EQ(rubric.gates.size(), 9U);
@@ -138,7 +139,7 @@ TEST(Scenario, EveryShippedOneGatesItsDeeds) {
 }
 
 TEST(Scenario, AFileCannotReviewItself) {
-  std::string text = load_shipped_scenario("silver").text;
+  std::string text = scenarios_test::format_1("silver").text;
   const auto replace = [&](const std::string& from, const std::string& to) {
     text.replace(text.find(from), from.size(), to);
   };
@@ -172,7 +173,7 @@ TEST(Scenario, OfAnUnknownNameSaysWhichThereAre) {
 TEST(Scenario, WithAPlantedFaultIsRefusedWithFilePathAndMend) {
   for (const json& fault : json::parse(scenarios_test::planted_faults()[0].text)) {
     const std::string name = fault.value("of", "silver");
-    const json whole = json::parse(load_shipped_scenario(name).text);
+    const json whole = json::parse(scenarios_test::format_1(name).text);
     const std::string sentence = refusal_of(whole.patch(fault.at("patch")).dump(), name + ".json");
     const std::string start = name + ".json: " + fault.at("path").get<std::string>() + ": ";
     EXPECT_EQ(sentence.substr(0, start.size()), start) << fault.at("name") << "\n" << sentence;
@@ -234,7 +235,7 @@ TEST(Scenario, InAFileThatIsNotThereIsRefused) {
 }
 
 RC_GTEST_PROP(Scenario, WithDamagedBytesIsReadOrRefusedButNeverAnythingElse, ()) {
-  std::string text = load_shipped_scenario("silver").text;
+  std::string text = scenarios_test::format_1("silver").text;
   const int damages = *rc::gen::inRange(1, 6);
   for (int i = 0; i < damages; ++i) {
     const auto at = *rc::gen::inRange<std::size_t>(0, text.size());

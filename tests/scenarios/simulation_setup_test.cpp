@@ -1,5 +1,6 @@
 /// What a scenario says of its saw is what an attempt and its replay are made with.
 #include "scenarios/simulation_setup.h"
+#include "tests/scenarios/format_1/format_1.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ simulator::SimulationSetup setup_of(const nlohmann::json& json,
   return simulation_setup(parse_scenario(json.dump(), "altered.json"), bone, {}, guidance);
 }
 
-nlohmann::json silver() { return nlohmann::json::parse(load_shipped_scenario("silver").text); }
+nlohmann::json silver() { return nlohmann::json::parse(scenarios_test::format_1("silver").text); }
 
 TEST(SimulationSetup, HasTheSawOfTheScenario) {
   nlohmann::json scenario = silver();

@@ -4,6 +4,7 @@
 
 #include "simulator/base/check.h"
 #include "simulator/cutting/slice/plane_slice.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/simulator/cutting/worlds/shown_solid.h"
 
 namespace hallux::tests {
@@ -25,7 +26,7 @@ Paint paint_of_wall(const FaceSource& source) {
 
 PlannedBone akin_phalanx(double edge_mm) {
   PlannedBone result;
-  result.scenario = scenarios::load_shipped_scenario("akin");
+  result.scenario = scenarios_test::format_1("akin");
   result.scenario.patient.edge_mm = edge_mm;
   result.bone = make_patient(result.scenario);
   result.plan = plan_on(result.scenario, result.bone);

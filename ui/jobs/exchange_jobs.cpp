@@ -106,10 +106,9 @@ void add_solids(const assessment::RebuiltBone& rebuilt, std::string (*name_of)(s
 void add_left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
                      const simulator::Bone& bone, const simulator::Recording& recording,
                      std::vector<database::DerivedFile>& files) {
-  assessment::RebuiltBone scored =
-      assessment::rebuild(bone, scenarios::tray_of(scenario), recording, {}, nullptr, {},
-                          {scenarios::planned_bridges(plan)});
-  const bool has_bodies_of_their_own = has_closed_hinge(recording);
+  assessment::RebuiltBone scored = assessment::rebuild(
+      bone, scenarios::tray_of(scenario), recording, {}, nullptr, {}, assessment::hinges_of(plan));
+  const bool has_bodies_of_their_own = has_undivided_hinge(plan, recording);
   if (has_bodies_of_their_own) add_solids(scored, piece_file_name, files);
   const auto name_of = has_bodies_of_their_own ? body_file_name : piece_file_name;
   const LeftBehind left = left_behind(scenario, plan, bone, recording, std::move(scored));

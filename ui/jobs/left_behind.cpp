@@ -31,7 +31,9 @@ std::vector<std::optional<std::int64_t>> done_ticks_of(const scenarios::Scenario
 
 }  // namespace
 
-bool has_closed_hinge(const simulator::Recording& recording) noexcept {
+bool has_undivided_hinge(const scenarios::Plan& plan,
+                         const simulator::Recording& recording) noexcept {
+  if (assessment::hinges_of(plan).are_always_divided) return false;
   return std::ranges::any_of(recording.events, [](const CutEvent& event) {
     return event.kind == CutEventKind::HingeClosed;
   });
@@ -40,16 +42,13 @@ bool has_closed_hinge(const simulator::Recording& recording) noexcept {
 LeftBehind left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
                        const simulator::Bone& bone, const simulator::Recording& recording,
                        assessment::RebuiltBone scored, const Progress& progress) {
-  if (has_closed_hinge(recording)) {
+  if (has_undivided_hinge(plan, recording)) {
     scored = assessment::rebuild(bone, scenarios::tray_of(scenario), recording,
                                  part_of(progress, 0.0, rebuilt_share), nullptr, {},
                                  {scenarios::planned_bridges(plan), true});
   }
-  LeftBehind left{std::move(scored), {}, {}, {}, {}, done_ticks_of(scenario, recording)};
-  left.bodies = assessment::bodies_of(left.rebuilt, plan, bone.name);
-  left.placements = assessment::placements_of(left.bodies, left.rebuilt, plan);
-  left.fixation = assessment::fixation_of(recording, left.rebuilt, left.bodies, bone, plan);
-  left.is_held = assessment::held_by(left.fixation, left.bodies);
+  LeftBehind left{assessment::what_is_left(recording, scored, bone, plan), std::move(scored),
+                  done_ticks_of(scenario, recording)};
   report(progress, 1.0);
   return left;
 }

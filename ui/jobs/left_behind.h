@@ -7,29 +7,24 @@
 #include <optional>
 #include <vector>
 
-#include "assessment/rebuild/bodies.h"
-#include "assessment/rebuild/implants.h"
+#include "assessment/fixation/what_is_left.h"
 
 namespace hallux::ui {
 
-struct LeftBehind {
+struct LeftBehind : assessment::WhatIsLeft {
   assessment::RebuiltBone rebuilt;
-  std::vector<assessment::Body> bodies;
-  /// Of each body.
-  std::vector<assessment::BodyPlacement> placements;
-  std::vector<bool> is_held;
-  assessment::Fixation fixation;
   /// Of each step of the scenario, when it was declared done last; nothing: it was not, or taken up
   /// again.
   std::vector<std::optional<std::int64_t>> done_ticks;
 };
 
-/// Whether a wedge was closed: both halves are bodies then, and for a score maybe one.
-bool has_closed_hinge(const simulator::Recording& recording) noexcept;
+/// Whether a wedge was closed whose halves are bodies, but one solid for the score.
+bool has_undivided_hinge(const scenarios::Plan& plan,
+                         const simulator::Recording& recording) noexcept;
 
 /// Computed from the recording: nothing of what a score keeps.
 /// plan    the scenario's on this bone
-/// scored  the bone as it was rebuilt for its score: serves where no wedge was closed
+/// scored  the bone as it was rebuilt for its score: serves where closed wedges are divided in it
 /// errors  Cancelled
 /// thread  any
 LeftBehind left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,

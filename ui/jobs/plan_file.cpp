@@ -1,7 +1,12 @@
+// Lists of what a plan holds, each in the order of the scenario, so that an index, an event's place
+// on the tray and a name all lead to the same entry. What a scenario of format 1 has none of is an
+// empty list, not a missing key: who reads it asks no format.
 #include "ui/jobs/plan_file.h"
 
 #include <nlohmann/json.hpp>
+#include <utility>
 
+#include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/units.h"
 #include "ui/jobs/geometry_json.h"
 
@@ -13,7 +18,9 @@ using nlohmann::ordered_json;
 using scenarios::FaceKind;
 using scenarios::Plan;
 using scenarios::PlannedCut;
+using scenarios::PlannedFragment;
 using scenarios::PlannedHinge;
+using scenarios::PlannedImplant;
 using scenarios::Scenario;
 
 /// As a scenario's file says it.
@@ -40,6 +47,10 @@ ordered_json exit_json(const PlannedCut& cut) {
   return vector_json(cut.exit_point_in_bone_mm);
 }
 
+ordered_json name_or_null(const std::string& name) {
+  return name.empty() ? ordered_json(nullptr) : ordered_json(name);
+}
+
 ordered_json cut_json(const PlannedCut& cut, const scenarios::ReferenceCut& reference) {
   return {{"name", cut.name},
           {"title", reference.title},
@@ -51,10 +62,12 @@ ordered_json cut_json(const PlannedCut& cut, const scenarios::ReferenceCut& refe
           {"exit_in_bone_mm", exit_json(cut)},
           {"depth_in_bone_mm", vector_json(cut.depth_point_in_bone_mm)},
           {"kind", name_of(reference.face.kind)},
-          {"hinge", cut.hinge.empty() ? ordered_json(nullptr) : ordered_json(cut.hinge)}};
+          {"along_bone", cut.is_along_bone},
+          {"hinge", name_or_null(cut.hinge)},
+          {"blade", name_or_null(reference.blade)}};
 }
 
-ordered_json hinge_json(const PlannedHinge& hinge, double target_low_mm) {
+ordered_json hinge_json(const PlannedHinge& hinge, const scenarios::ReferenceHinge& reference) {
   const simulator::HingeLine& line = hinge.bridge.line;
   return {{"name", hinge.name},
           {"first_cut", hinge.first_cut},
@@ -64,12 +77,12 @@ ordered_json hinge_json(const PlannedHinge& hinge, double target_low_mm) {
           {"outward", vector_json(line.outward)},
           {"wedge_deg", degree_from_radian(hinge.wedge_rad)},
           {"thickness_mm", line.thickness_mm},
-          {"target_mm", {target_low_mm, hinge.target_high_mm}}};
+          {"target_mm", {reference.target_low_mm, hinge.target_high_mm}}};
 }
 
-ordered_json zone_json(const scenarios::PlannedZone& zone, const std::string& severity) {
+ordered_json zone_json(const scenarios::PlannedZone& zone, const scenarios::DangerZone& reference) {
   return {{"name", zone.name},
-          {"severity", severity},
+          {"severity", reference.severity},
           {"from_in_bone_mm", vector_json(zone.capsule.from_in_bone_mm)},
           {"to_in_bone_mm", vector_json(zone.capsule.to_in_bone_mm)},
           {"radius_mm", zone.capsule.radius_mm}};
@@ -91,34 +104,78 @@ ordered_json blade_json(const simulator::Blade& blade) {
           {"kerf_mm", blade.kerf_mm}};
 }
 
+ordered_json fragment_json(const PlannedFragment& fragment) {
+  return {{"name", fragment.name},
+          {"holds_in_bone_mm", vector_json(fragment.holds_in_bone_mm)},
+          {"volume_mm3", fragment.volume_mm3},
+          {"pose", matrix_json(fragment.bone_from_rest)},
+          {"dorsal_in_bone", vector_json(fragment.foot_dorsal_in_bone)}};
+}
+
+ordered_json range_json(const scenarios::Range& range) { return {range.low_mm, range.high_mm}; }
+
+ordered_json implant_json(const PlannedImplant& implant) {
+  const bool is_screw = implant.kind == scenarios::ImplantKind::Screw;
+  return {{"name", implant.name},
+          {"kind", is_screw ? "screw" : "wire"},
+          {"entry_in_bone_mm", vector_json(implant.entry_in_bone_mm)},
+          {"tip_in_bone_mm", vector_json(implant.tip_in_bone_mm)},
+          {"direction", vector_json(implant.direction_in_bone)},
+          {"lengths_mm", range_json(implant.lengths)},
+          {"diameters_mm", range_json(implant.diameters)},
+          {"engages", implant.engages},
+          {"temporary", implant.is_temporary}};
+}
+
+/// They lie first on the tray.
+ordered_json blades_json(const Scenario& scenario) {
+  ordered_json blades = ordered_json::array();
+  for (const scenarios::LaidOutTool& laid_out : scenarios::laid_out_tools(scenario)) {
+    const auto* const saw = std::get_if<simulator::Saw>(&laid_out.tool);
+    if (saw == nullptr) continue;
+    ordered_json blade;
+    blade["name"] = laid_out.name;
+    blade.update(blade_json(saw->blade));
+    blades.push_back(std::move(blade));
+  }
+  return blades;
+}
+
+/// Of each the JSON that `json_of` says.
+template <typename Part, typename Of>
+ordered_json list_json(const std::vector<Part>& parts, Of&& json_of) {
+  ordered_json list = ordered_json::array();
+  for (const Part& part : parts) list.push_back(json_of(part));
+  return list;
+}
+
+/// The same of parts of a plan, each with that of the scenario that it was planned from.
+template <typename Part, typename Reference, typename Of>
+ordered_json list_json(const std::vector<Part>& parts, const std::vector<Reference>& references,
+                       Of&& json_of) {
+  ordered_json list = ordered_json::array();
+  for (std::size_t i = 0; i < parts.size(); ++i) list.push_back(json_of(parts[i], references[i]));
+  return list;
+}
+
 }  // namespace
 
 std::string plan_file(const Scenario& scenario, const simulator::Bone& bone, const Plan& plan) {
-  // A plan's parts stand in the order of the scenario's.
-  ordered_json cuts = ordered_json::array(), hinges = cuts, zones = cuts, joints = cuts;
-  for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
-    cuts.push_back(cut_json(plan.cuts[i], scenario.cuts[i]));
-  }
-  for (std::size_t i = 0; i < plan.hinges.size(); ++i) {
-    hinges.push_back(hinge_json(plan.hinges[i], scenario.hinges[i].target_low_mm));
-  }
-  for (std::size_t i = 0; i < plan.danger_zones.size(); ++i) {
-    zones.push_back(zone_json(plan.danger_zones[i], scenario.danger_zones[i].severity));
-  }
-  for (std::size_t i = 0; i < plan.joint_surfaces.size(); ++i) {
-    joints.push_back(joint_json(plan.joint_surfaces[i], scenario.joint_surfaces[i]));
-  }
-  const ordered_json json{{"format", plan_file_format},
-                          {"scenario", scenario.name},
-                          {"scenario_version", scenario.version},
-                          {"bone", bone.name},
-                          {"landmarks", landmarks_json(bone)},
-                          {"cuts", std::move(cuts)},
-                          {"hinges", std::move(hinges)},
-                          {"danger_zones", std::move(zones)},
-                          {"joint_surfaces", std::move(joints)},
-                          {"world_from_bone", matrix_json(bone.world_from_bone)},
-                          {"blade", blade_json(scenario.saw.blade)}};
+  const ordered_json json{
+      {"format", plan_file_format},
+      {"scenario", scenario.name},
+      {"scenario_version", scenario.version},
+      {"bone", bone.name},
+      {"landmarks", landmarks_json(bone)},
+      {"cuts", list_json(plan.cuts, scenario.cuts, cut_json)},
+      {"hinges", list_json(plan.hinges, scenario.hinges, hinge_json)},
+      {"danger_zones", list_json(plan.danger_zones, scenario.danger_zones, zone_json)},
+      {"joint_surfaces", list_json(plan.joint_surfaces, scenario.joint_surfaces, joint_json)},
+      {"fragments", list_json(plan.fixation.fragments, fragment_json)},
+      {"implants", list_json(plan.fixation.implants, implant_json)},
+      {"world_from_bone", matrix_json(bone.world_from_bone)},
+      {"blade", blade_json(scenario.saw.blade)},
+      {"blades", blades_json(scenario)}};
   // The names of a bone from elsewhere may be no UTF-8.
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

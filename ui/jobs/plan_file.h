@@ -1,5 +1,5 @@
-/// The planned faces, the hinge and the danger zones of an attempt as JSON, for programs of others:
-/// the plan.json of an export. Inside this corner only.
+/// The planned faces, hinges, danger zones, fragments and implants of an attempt as JSON, for
+/// programs of others: the plan.json of an export. Inside this corner only.
 ///
 /// Nothing of ours reads it: it is made from the scenario and the bone, which are sealed.
 #pragma once

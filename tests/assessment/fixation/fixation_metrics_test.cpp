@@ -1,6 +1,9 @@
 /// A bar that was sawn in two, held against plans whose numbers are known by hand.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "assessment/fixation/measure_fragments.h"
 #include "assessment/fixation/measure_implants.h"
 #include "simulator/base/units.h"
@@ -42,11 +45,13 @@ PlannedImplant along(ImplantKind kind, const std::string& name, double y_mm, dou
 
 class Fixed : public SawnBar {
  protected:
+  using SawnBar::SawnBar;
+
   void measure(const scenarios::Plan& plan) {
     const RebuiltBone rebuilt = SawnBar::rebuilt();
     const std::vector<std::vector<CutFace>> faces;
     const Evidence evidence{scenario_, plan, rebuilt, faces, bone_, run_.recording()};
-    const WhatIsLeft left = what_is_left(evidence);
+    const WhatIsLeft left = what_is_left(run_.recording(), rebuilt, bone_, plan);
     all_ = measure_fragments(left, evidence);
     for (Measurement& each : measure_implants(left, evidence)) all_.push_back(std::move(each));
   }
@@ -63,8 +68,8 @@ class Fixed : public SawnBar {
     EXPECT_TRUE(found.is_measured()) << metric << " of " << subject;
     return found.value;
   }
-  void set_wire(double y_mm, double z_mm) {
-    bore(bar_wire, y_mm, z_mm, -8.0);
+  void set_wire(double y_mm, double z_mm, double to_x_mm = -8.0) {
+    bore(bar_wire, y_mm, z_mm, to_x_mm);
     leave();
   }
   void take(std::int32_t implant) {
@@ -128,6 +133,69 @@ TEST_F(Fixed, AWireAgainstItsPlan) {
   EXPECT_EQ(value("right_tool", "pin"), 1.0);
   EXPECT_EQ(find("tip_to_joint_mm", "pin").absence, Absence::Undefined) << "no joint is planned";
   EXPECT_EQ(value("fixed", "end"), 0.0) << "it may turn";
+}
+
+TEST_F(Fixed, ATipStandsOutOfTheSkinThatItWentThrough) {
+  lead({0.0, 0.0, 0.0});
+  set_wire(1.0, 1.0, -18.0);
+  scenarios::Plan plan = plan_of_the_end();
+  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  measure(plan);
+  EXPECT_NEAR(value("protrusion_mm", "pin"), 3.0, 0.3);
+  EXPECT_EQ(value("cortices", "pin"), 2.0);
+}
+
+/// A joint surface at the bar's other end.
+scenarios::PlannedJointSurface joint_at_the_end(const simulator::IndexedMesh& outer) {
+  scenarios::PlannedJointSurface joint;
+  joint.name = "joint";
+  for (std::uint32_t triangle = 0; triangle < outer.triangles.size(); ++triangle) {
+    const auto corners = simulator::corners_of(outer, triangle);
+    const bool is_of_end =
+        std::ranges::all_of(corners, [](const Vec3& corner) { return corner.x == -15.0; });
+    if (is_of_end) joint.triangles.push_back(triangle);
+  }
+  return joint;
+}
+
+TEST_F(Fixed, ATipThatWentThroughAJointSurfaceIsNotClearOfIt) {
+  lead({0.0, 0.0, 0.0});
+  set_wire(1.0, 1.0, -8.0);
+  scenarios::Plan plan = plan_of_the_end();
+  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  plan.joint_surfaces = {joint_at_the_end(bone_.outer)};
+  ASSERT_EQ(plan.joint_surfaces[0].triangles.size(), 2U);
+  measure(plan);
+  EXPECT_NEAR(value("tip_to_joint_mm", "pin"), 7.0, 0.3);
+  set_wire(-1.0, -1.0, -20.0);
+  plan.fixation.implants[0] = along(ImplantKind::Wire, "pin", -1.0, -1.0, 35.0);
+  measure(plan);
+  EXPECT_EQ(value("tip_to_joint_mm", "pin"), 0.0) << "the tip is 5 mm beyond it";
+}
+
+/// With a canal in the half that stays.
+class FixedInAHollowBar : public Fixed {
+ protected:
+  FixedInAHollowBar() : Fixed(hollow_bar()) {}
+
+ private:
+  static simulator::Bone hollow_bar() {
+    simulator::Bone bone = bar();
+    bone.canal = tests::solid_block({10.0, 4.0, 4.0});
+    for (Vec3& point_mm : bone.canal.points_mm) point_mm.x -= 7.0;
+    for (auto& triangle : bone.canal.triangles) std::swap(triangle[1], triangle[2]);
+    return bone;
+  }
+};
+
+TEST_F(FixedInAHollowBar, ATipInTheCanalDoesNotStandOut) {
+  lead({0.0, 0.0, 0.0});
+  set_wire(1.0, 1.0, -8.0);
+  scenarios::Plan plan = plan_of_the_end();
+  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  measure(plan);
+  EXPECT_EQ(value("protrusion_mm", "pin"), 0.0);
+  EXPECT_EQ(value("cortices", "pin"), 1.0);
 }
 
 TEST_F(Fixed, AWireOfAnotherDiameterIsNotTheRightTool) {

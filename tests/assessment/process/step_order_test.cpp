@@ -162,16 +162,27 @@ TEST(StepOrder, WhatMayBePassedOverIsMissedByNobody) {
   EXPECT_NEAR(ordered_share(scenario, all_but_the_mark()), 1.0, exact);
 }
 
-TEST(StepOrder, OfAlternativesOneSuffices) {
+/// The mark or another one.
+scenarios::Scenario steps_with_alternatives() {
   scenarios::Scenario scenario = ordered_steps();
   scenario.steps[1].one_of = "marking";
   scenarios::OperationStep other = scenario.steps[1];
   other.id = "guide";
   scenario.steps.insert(scenario.steps.begin() + 2, other);
+  return scenario;
+}
+
+TEST(StepOrder, OfAlternativesOneSuffices) {
   std::vector<Said> all = all_but_the_mark();
   all[2].subject = 4;
   all.push_back({300, CutEventKind::StepDone, 2});
-  EXPECT_NEAR(ordered_share(scenario, all), 1.0, exact);
+  EXPECT_NEAR(ordered_share(steps_with_alternatives(), all), 1.0, exact);
+}
+
+TEST(StepOrder, OfAlternativesThatNobodyCarriedOutOneIsMissing) {
+  std::vector<Said> all = all_but_the_mark();
+  all[2].subject = 4;
+  EXPECT_NEAR(ordered_share(steps_with_alternatives(), all), 0.8, exact);
 }
 
 TEST(StepOrder, PiecesThatAreTakenOutAfterAStepWasDoneAreNotItsOwn) {

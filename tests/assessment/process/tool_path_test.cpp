@@ -85,6 +85,70 @@ TEST(ToolPath, WhatIsFarFromTheBoneIsNoWayOfIt) {
   EXPECT_GT(way.ratio()->first_tick, 2200);
 }
 
+scenarios::PlannedImplant into_the_block(scenarios::ImplantKind kind, const std::string& name,
+                                         double z_mm) {
+  scenarios::PlannedImplant implant;
+  implant.kind = kind;
+  implant.name = name;
+  implant.entry_in_bone_mm = {20.0, 10.0, z_mm};
+  implant.length_mm = 12.0;
+  return implant;
+}
+
+scenarios::OperationStep fixing(const std::string& implant) {
+  scenarios::OperationStep step;
+  step.kind = scenarios::StepKind::Fix;
+  step.one_of = "fixing";
+  step.implants = {implant};
+  return step;
+}
+
+void do_step(Way& way, std::size_t step) {
+  way.made.recording.events.push_back(
+      {1, simulator::CutEventKind::StepDone, static_cast<std::int32_t>(step), 0, {}});
+}
+
+TEST(ToolPath, OfAlternativesThatWhichWasDoneIsInThePlansWay) {
+  Way way;
+  way.made.examination.plan.fixation.implants = {
+      into_the_block(scenarios::ImplantKind::Screw, "screw", 4.0),
+      into_the_block(scenarios::ImplantKind::Wire, "wire", -4.0)};
+  const auto before_finish = way.made.scenario.steps.end() - 1;
+  way.made.scenario.steps.insert(before_finish, {fixing("screw"), fixing("wire")});
+  do_step(way, way.made.scenario.steps.size() - 2);
+  Vec3 place_mm = way.start_mm;
+  const Vec3 entry_mm{20.0, 10.0, -4.0}, tip_mm{20.0, -2.0, -4.0};
+  for (const Vec3& to_mm :
+       {way.start_mm, way.begin_mm, way.end_mm, way.begin_mm, entry_mm, tip_mm, entry_mm})
+    go_to(way.made, place_mm, to_mm);
+  EXPECT_NEAR(way.ratio()->value, 1.0, swung);
+}
+
+TEST(ToolPath, AScrewIsDrilledForAndSet) {
+  Way way;
+  way.made.examination.plan.fixation.implants = {
+      into_the_block(scenarios::ImplantKind::Screw, "screw", 4.0)};
+  way.made.scenario.steps.insert(way.made.scenario.steps.end() - 1, fixing("screw"));
+  do_step(way, way.made.scenario.steps.size() - 2);
+  Vec3 place_mm = way.start_mm;
+  const Vec3 entry_mm{20.0, 10.0, 4.0}, tip_mm{20.0, -2.0, 4.0};
+  for (const Vec3& to_mm : {way.start_mm, way.begin_mm, way.end_mm, way.begin_mm, entry_mm, tip_mm,
+                            entry_mm, tip_mm, entry_mm})
+    go_to(way.made, place_mm, to_mm);
+  EXPECT_NEAR(way.ratio()->value, 1.0, swung);
+}
+
+TEST(ToolPath, WhatWasLeftOutIsNotInThePlansWay) {
+  Way way;
+  way.made.examination.plan.fixation.implants = {
+      into_the_block(scenarios::ImplantKind::Screw, "screw", 4.0)};
+  way.made.scenario.steps.insert(way.made.scenario.steps.end() - 1, fixing("screw"));
+  Vec3 place_mm = way.start_mm;
+  for (const Vec3& to_mm : {way.start_mm, way.begin_mm, way.end_mm, way.begin_mm})
+    go_to(way.made, place_mm, to_mm);
+  EXPECT_NEAR(way.ratio()->value, 1.0, swung);
+}
+
 TEST(ToolPath, OfAPlanWithoutStrokesThereIsNone) {
   Way way;
   way.made.scenario.steps.clear();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <utility>
 
 #include "assessment/rebuild/implants.h"
 #include "tests/simulator/contact/bore/bore_world.h"
@@ -39,7 +40,11 @@ class SawnBar : public testing::Test {
  protected:
   static constexpr double cut_x_mm = 5.0, bar_mm3 = 30.0 * 8.0 * 8.0;
 
-  SawnBar() {
+  static simulator::Bone bar() {
+    return tests::cancellous_bone(tests::solid_block({30.0, 8.0, 8.0}));
+  }
+
+  explicit SawnBar(simulator::Bone bone = bar()) : bone_(std::move(bone)) {
     run_.glide(tests::blade_down({cut_x_mm, -9.0, 0.0}), 2300);
     run_.hold(1500);
     run_.glide(tests::blade_down({cut_x_mm, 30.0, 0.0}), 400);
@@ -86,7 +91,7 @@ class SawnBar : public testing::Test {
     return fixation_of(run_.recording(), rebuilt, bodies, bone_, plan);
   }
 
-  simulator::Bone bone_ = tests::cancellous_bone(tests::solid_block({30.0, 8.0, 8.0}));
+  simulator::Bone bone_;
   tests::SimulationRun run_{bone_, tests::blade_down({cut_x_mm, 12.0, 0.0}), bar_tray()};
 };
 

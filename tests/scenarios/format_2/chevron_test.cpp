@@ -6,6 +6,7 @@
 #include "scenarios/patient.h"
 #include "scenarios/steps/step_order.h"
 #include "simulator/base/units.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/format_2/fixtures.h"
 
 namespace hallux::scenarios {
@@ -86,7 +87,7 @@ TEST_F(Chevron, EndsBothArmsAtTheApex) {
 }
 
 TEST_F(Chevron, LaysTheEminenceWhereFormat1DoesTo) {
-  Scenario silver = load_shipped_scenario("silver");
+  Scenario silver = scenarios_test::format_1("silver");
   silver.patient.edge_mm = 1.0;
   const PlannedCut old = plan_on(silver, bone).cuts.at(0);
   const PlannedCut& eminence = cut("eminence");

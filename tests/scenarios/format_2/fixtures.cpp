@@ -2,23 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <span>
-
-#include "simulator/base/embedded.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::scenarios_test {
 
-std::span<const EmbeddedText> format_2_files() noexcept;
-
 using nlohmann::json;
 
 json fixture_json(std::string_view name) {
-  for (const EmbeddedText& file : format_2_files()) {
-    if (file.name == std::string(name) + ".json") return json::parse(file.text);
-  }
-  ADD_FAILURE() << "there is no fixture " << name;
-  return {};
+  return json::parse(scenarios::load_shipped_scenario(name).text);
 }
 
 scenarios::Scenario coarse(const json& whole) {

@@ -1,5 +1,4 @@
-/// The scenarios of format 2 that the tests plan: they are no shipped operations, and no surgeon
-/// has seen them.
+/// The scenarios of format 2 that the tests plan and alter.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -13,7 +12,7 @@
 
 namespace hallux::scenarios_test {
 
-/// "chevron" or "akin_2", as it lies beside this file.
+/// A shipped operation's file.
 nlohmann::json fixture_json(std::string_view name);
 scenarios::Scenario fixture(std::string_view name);
 /// With coarse bones: landmarks and planes lie where they lie at any edge length.

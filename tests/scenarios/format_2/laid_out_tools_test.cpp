@@ -2,13 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/format_2/fixtures.h"
 
 namespace hallux::scenarios {
 namespace {
 
 TEST(LaidOutTools, AreTheOneBladeOfAnOperationThatSetsNoImplants) {
-  const Scenario scenario = load_shipped_scenario("silver");
+  const Scenario scenario = scenarios_test::format_1("silver");
   const auto tools = laid_out_tools(scenario);
   ASSERT_EQ(tools.size(), 1U);
   EXPECT_EQ(std::get<simulator::Saw>(tools[0].tool).blade, scenario.saw.blade);

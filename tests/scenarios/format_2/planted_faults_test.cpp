@@ -5,13 +5,17 @@
 
 #include "tests/scenarios/format_2/fixtures.h"
 
+namespace hallux::scenarios_test {
+std::span<const EmbeddedText> planted_faults_of_format_2() noexcept;
+}
+
 namespace hallux::scenarios {
 namespace {
 
 using nlohmann::json;
 
 TEST(Format2, IsRead) {
-  for (const char* name : {"chevron", "akin_2"}) {
+  for (const char* name : {"chevron", "akin"}) {
     EXPECT_EQ(scenarios_test::refusal_of(scenarios_test::fixture_json(name)), "") << name;
     const Scenario scenario = scenarios_test::fixture(name);
     EXPECT_EQ(scenario.format, 2);
@@ -30,7 +34,7 @@ TEST(Format2, OfALaterProgramIsRefusedByItsFormat) {
 }
 
 TEST(Format2, WithAPlantedFaultIsRefusedWithFilePathAndMend) {
-  const json faults = scenarios_test::fixture_json("planted_faults");
+  const json faults = json::parse(scenarios_test::planted_faults_of_format_2()[0].text);
   ASSERT_GT(faults.size(), 40U);
   for (const json& fault : faults) {
     const json whole = scenarios_test::fixture_json(fault.value("of", "chevron"));

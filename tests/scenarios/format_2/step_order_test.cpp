@@ -5,6 +5,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "scenarios/steps/step_words.h"
+#include "tests/scenarios/format_1/format_1.h"
 
 namespace hallux::scenarios {
 namespace {
@@ -44,7 +45,7 @@ std::string refusal_of(const Scenario& scenario) {
 }
 
 TEST(StepOrder, OfFormat1IsTheChain) {
-  const Scenario akin = load_shipped_scenario("akin");
+  const Scenario akin = scenarios_test::format_1("akin");
   std::vector<bool> is_done(akin.steps.size(), false);
   for (std::size_t next = 0; next < akin.steps.size(); ++next) {
     EXPECT_FALSE(is_all_done(akin, is_done));

@@ -14,6 +14,7 @@
 #include "simulator/base/units.h"
 #include "simulator/cutting/field/kerf_set.h"
 #include "simulator/cutting/slice/section.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
 namespace hallux::tests {
@@ -43,7 +44,7 @@ struct Row {
 };
 
 struct Patient {
-  Patient() : akin(scenarios::load_shipped_scenario("akin")) {
+  Patient() : akin(scenarios_test::format_1("akin")) {
     // Planes and strokes do not depend on the edges' length.
     akin.patient.edge_mm = 0.8;
     bone = make_patient(akin);

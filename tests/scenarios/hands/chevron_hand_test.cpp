@@ -8,12 +8,7 @@
 #include "assessment/rebuild/implants.h"
 #include "scenarios/faces/windowed_region.h"
 #include "scenarios/tray/laid_out_tools.h"
-#include "simulator/base/embedded.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
-
-namespace hallux::scenarios_test {
-std::span<const EmbeddedText> operated_scenarios() noexcept;
-}
 
 namespace hallux::scenarios {
 namespace {
@@ -24,8 +19,7 @@ using simulator::CutEventKind;
 class Chevron : public testing::Test {
  protected:
   static Scenario coarse() {
-    const EmbeddedText& file = scenarios_test::operated_scenarios().front();
-    Scenario scenario = parse_scenario(file.text, file.name);
+    Scenario scenario = load_shipped_scenario("chevron");
     scenario.patient.edge_mm = 0.9;
     return scenario;
   }

@@ -12,6 +12,7 @@
 #include "simulator/base/units.h"
 #include "simulator/mesh/bvh.h"
 #include "simulator/record/sample_force.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
 namespace hallux::scenarios {
@@ -21,9 +22,9 @@ using simulator::CommandKind;
 using simulator::CutEventKind;
 using simulator::Recording;
 
-/// A shipped operation on a coarse patient.
+/// An operation of format 1 on a coarse patient.
 struct Operation {
-  explicit Operation(const char* name) : scenario(load_shipped_scenario(name)) {
+  explicit Operation(const char* name) : scenario(scenarios_test::format_1(name)) {
     scenario.patient.edge_mm = 1.2;
     bone = make_patient(scenario);
     plan = plan_on(scenario, bone);

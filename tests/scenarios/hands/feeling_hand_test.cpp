@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scenarios/plan.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 #include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
@@ -21,7 +22,7 @@ using simulator::Recording;
 /// Silver without its frontal tilt on a soft block 30 x 20 x 20 mm about the x axis: the planned
 /// face is z = -1.
 struct Patient {
-  Patient() : silver(load_shipped_scenario("silver")) {
+  Patient() : silver(scenarios_test::format_1("silver")) {
     silver.cuts.at(0).face.frontal_tilt_rad = 0.0;
     silver.joint_surfaces.clear();
     bone = tests::cancellous_bone(

@@ -1,23 +1,16 @@
 // A hand aims at the cuts of a scenario of format 2 as at any other.
 #include <gtest/gtest.h>
 
-#include <span>
-
 #include "scenarios/hands/hand_aim.h"
 #include "scenarios/hands/hand_skill.h"
 #include "scenarios/patient.h"
-#include "simulator/base/embedded.h"
-
-namespace hallux::scenarios_test {
-std::span<const EmbeddedText> aimed_scenarios() noexcept;
-}
 
 namespace hallux::scenarios {
 namespace {
 
 TEST(Format2Aim, WithoutErrorIsThePlan) {
-  for (const EmbeddedText& file : scenarios_test::aimed_scenarios()) {
-    Scenario scenario = parse_scenario(file.text, file.name);
+  for (const char* name : {"akin", "chevron", "silver"}) {
+    Scenario scenario = load_shipped_scenario(name);
     scenario.patient.edge_mm = 1.0;
     const simulator::Bone bone = make_patient(scenario);
     const Plan plan = plan_on(scenario, bone);

@@ -9,6 +9,7 @@
 #include "scenarios/hands/feeling_hand.h"
 #include "simulator/base/units.h"
 #include "simulator/cutting/slice/section.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
 namespace hallux::scenarios {
@@ -21,7 +22,8 @@ constexpr std::uint64_t seeds = 200;
 /// An operation on a bone coarse enough that hundreds of hands take no time; planes do not depend
 /// on the edges' length.
 struct Patient {
-  explicit Patient(const char* operation = "silver") : scenario(load_shipped_scenario(operation)) {
+  explicit Patient(const char* operation = "silver")
+      : scenario(scenarios_test::format_1(operation)) {
     scenario.patient.edge_mm = 1.5;
     bone = make_patient(scenario);
     plan = plan_on(scenario, bone);

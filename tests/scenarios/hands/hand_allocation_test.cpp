@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "scenarios/hands/feeling_hand.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/support/allocation_counter.h"
 #include "tests/support/worlds.h"
 
@@ -9,7 +10,7 @@ namespace hallux::scenarios {
 namespace {
 
 TEST(FeelingHand, TakesNoMemoryInAHundredThousandTicks) {
-  Scenario silver = load_shipped_scenario("silver");
+  Scenario silver = scenarios_test::format_1("silver");
   silver.cuts.at(0).face.frontal_tilt_rad = 0.0;
   silver.joint_surfaces.clear();
   simulator::Bone bone;

@@ -5,12 +5,13 @@
 
 #include "scenarios/hands/hand_skill.h"
 #include "scenarios/scenario.h"
+#include "tests/scenarios/format_1/format_1.h"
 
 namespace hallux::scenarios {
 namespace {
 
 const Scenario& akin() {
-  static const Scenario scenario = load_shipped_scenario("akin");
+  static const Scenario scenario = scenarios_test::format_1("akin");
   return scenario;
 }
 
@@ -154,7 +155,7 @@ TEST(HandFault, TwiceTheSameOrTooManyForTheRecordIsRefused) {
 
 TEST(HandFault, SwapNeedsTwoCuts) {
   EXPECT_EQ(refusal_of({"swap"}), "");
-  EXPECT_EQ(refusal_of({"swap"}, load_shipped_scenario("silver")),
+  EXPECT_EQ(refusal_of({"swap"}, scenarios_test::format_1("silver")),
             "fault \"swap\": silver has one cut, and two are swapped");
 }
 

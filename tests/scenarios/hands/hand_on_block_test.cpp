@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simulator/record/sample_force.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 #include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
@@ -24,7 +25,7 @@ constexpr double far_side_mm = -10.0;
 /// Silver without its frontal tilt on a block 10 x 20 x 20 mm: one stroke from y = 10 to y = -10,
 /// 10 mm of teeth in bone.
 struct Block {
-  Block() : silver(scenarios::load_shipped_scenario("silver")) {
+  Block() : silver(scenarios_test::format_1("silver")) {
     silver.cuts.at(0).face.frontal_tilt_rad = 0.0;
     silver.joint_surfaces.clear();
     bone = cancellous_bone(moved(solid_block({10.0, 20.0, 20.0}), {{}, {5.0, 0.0, 0.0}}));

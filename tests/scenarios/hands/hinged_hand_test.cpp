@@ -8,6 +8,7 @@
 
 #include "scenarios/hands/feeling_hand.h"
 #include "simulator/mesh/bvh.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 #include "tests/simulator/step/simulation_run.h"
 #include "tests/support/worlds.h"
@@ -22,7 +23,7 @@ constexpr double far_side_mm = 9.0;
 
 /// Akin on a soft block 33 x 16 x 18 mm: its first face is x = 6, its line z = 8.
 struct Patient {
-  Patient() : akin(load_shipped_scenario("akin")) {
+  Patient() : akin(scenarios_test::format_1("akin")) {
     akin.joint_surfaces.clear();
     bone = tests::cancellous_bone(
         tests::moved(tests::solid_block({33.0, 16.0, 2.0 * far_side_mm}), {{}, {16.5, 0.0, 0.0}}));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "scenarios/hands/planned_strokes.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
 namespace hallux::scenarios {
@@ -15,9 +16,9 @@ using simulator::CommandKind;
 using simulator::CutEventKind;
 using simulator::Recording;
 
-/// A shipped operation on a coarse patient, and what the hand aims at there.
+/// An operation of format 1 on a coarse patient, and what the hand aims at there.
 struct Operation {
-  explicit Operation(const char* name) : scenario(load_shipped_scenario(name)) {
+  explicit Operation(const char* name) : scenario(scenarios_test::format_1(name)) {
     scenario.patient.edge_mm = 0.9;
     bone = make_patient(scenario);
     plan = plan_on(scenario, bone);

@@ -6,6 +6,7 @@
 
 #include "scenarios/simulation_setup.h"
 #include "simulator/loop/replay.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/hands/scripted_attempt.h"
 
 namespace hallux::tests {
@@ -18,7 +19,7 @@ using simulator::ToolStatus;
 class ReplayDifference : public testing::Test {
  protected:
   // The shape is the same at any edge length; a coarse one replays as long an attempt.
-  ReplayDifference() : silver_(scenarios::load_shipped_scenario("silver")) {
+  ReplayDifference() : silver_(scenarios_test::format_1("silver")) {
     silver_.patient.edge_mm = 1.0;
     bone_ = make_patient(silver_);
     recording_ = run_hand(silver_, bone_, "expert", 1).recording;

@@ -71,9 +71,9 @@ def read_all(files):
 
 def main(scenarios, tests):
     shipped = read_all(sorted(scenarios.glob("*.json")))
-    fixtures = read_all(tests / "format_2" / f"{name}.json" for name in ("akin_2", "silver_2"))
-    by_format = {format: {name: whole for name, whole in {**shipped, **fixtures}.items() if whole["format"] == format}
-                 for format in (1, 2)}
+    fixtures = read_all(sorted((tests / "format_1").glob("*.json")))
+    by_format = {format: {name: whole for name, whole in files.items() if whole["format"] == format}
+                 for format, files in ((1, fixtures), (2, shipped))}
     faults = {1: json.loads((tests / "planted_faults.json").read_text()),
               2: json.loads((tests / "format_2" / "planted_faults.json").read_text())}
     schemas = {1: "scenario.schema.json", 2: "scenario_2.schema.json"}

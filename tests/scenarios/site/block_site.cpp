@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "scenarios/site/planned_passes.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/support/worlds.h"
 
 namespace hallux::tests {
@@ -22,7 +23,7 @@ Bone site_block() {
 }
 
 Scenario along_scenario(double blade_width_mm) {
-  Scenario scenario = load_shipped_scenario("silver");
+  Scenario scenario = scenarios_test::format_1("silver");
   scenario.cuts[0].face.frontal_tilt_rad = 0.0;
   scenario.saw.blade.width_mm = blade_width_mm;
   scenario.danger_zones.clear();
@@ -31,7 +32,7 @@ Scenario along_scenario(double blade_width_mm) {
 }
 
 Scenario wedge_scenario(double blade_width_mm) {
-  Scenario scenario = load_shipped_scenario("akin");
+  Scenario scenario = scenarios_test::format_1("akin");
   scenario.saw.blade.width_mm = blade_width_mm;
   scenario.danger_zones.clear();
   scenario.joint_surfaces.clear();

@@ -21,11 +21,15 @@ struct SimulatedCourse {
 void take_first_start(const std::filesystem::path& empty_directory,
                       const std::filesystem::path& folder);
 void take_trainee(const SimulatedCourse& course, const std::filesystem::path& folder);
+/// A chevron at its end, in light.
+void take_chevron_replay(const SimulatedCourse& course, const std::filesystem::path& folder);
 /// Needs a bus with a Falcon that runs.
 void take_devices(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_flight(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_operating(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_operating_in_light(const SimulatedCourse& course, const std::filesystem::path& folder);
+/// The tray of a chevron.
+void take_tray(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_instructor(const SimulatedCourse& course, const std::filesystem::path& folder);
 void take_administrator(const SimulatedCourse& course, const std::filesystem::path& folder);
 

@@ -73,6 +73,16 @@ void take_operating(const SimulatedCourse& course, const std::filesystem::path& 
   photographer.take_now("anaglyph");
 }
 
+void take_tray(const SimulatedCourse& course, const std::filesystem::path& folder) {
+  Photographer photographer(course.data_directory, folder, ui::ThemeName::Dark);
+  photographer.sign_in("trainee-1", course.password);
+  begin(photographer, "chevron");
+  photographer.key(Key::Enter);  // the case is verified
+  photographer.key(Key::B);
+  photographer.work_for(1.0);
+  photographer.take_now("tray");
+}
+
 void take_operating_in_light(const SimulatedCourse& course, const std::filesystem::path& folder) {
   Photographer photographer(course.data_directory, folder, ui::ThemeName::Light);
   photographer.sign_in("trainee-1", course.password);

@@ -28,4 +28,15 @@ void take_trainee(const SimulatedCourse& course, const std::filesystem::path& fo
   photographer.take("questions");
 }
 
+void take_chevron_replay(const SimulatedCourse& course, const std::filesystem::path& folder) {
+  Photographer photographer(course.data_directory, folder, ui::ThemeName::Light);
+  photographer.sign_in("trainee-1", course.password);
+  photographer.press("nav.history");
+  // The latest one, which is a chevron.
+  photographer.press(photographer.first("history.list."));
+  photographer.press("result.take.0.action");
+  photographer.key(ui::Key::End);
+  photographer.take("replay_chevron");
+}
+
 }  // namespace hallux::tests

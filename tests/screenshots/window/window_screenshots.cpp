@@ -39,12 +39,14 @@ int main(int count, char** words) {
         count == 4 ? SimulatedCourse{words[2], words[3]} : make_course(made.data());
     hallux::tests::take_first_start(empty.data(), folder);
     hallux::tests::take_trainee(course, folder);
+    hallux::tests::take_chevron_replay(course, folder);
     hallux::tests::take_instructor(course, folder);
     hallux::tests::take_administrator(course, folder);
     hallux::tests::take_devices(course, folder);
     hallux::tests::take_flight(course, folder);
     hallux::tests::take_operating(course, folder);
     hallux::tests::take_operating_in_light(course, folder);
+    hallux::tests::take_tray(course, folder);
   } catch (const std::exception& error) {
     std::cerr << "hallux_window_screenshots: " << error.what() << '\n';
     return 1;

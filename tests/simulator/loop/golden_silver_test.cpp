@@ -11,6 +11,7 @@
 #include "scenarios/hands/feeling_hand.h"
 #include "scenarios/simulation_setup.h"
 #include "simulator/loop/replay.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/simulator/loop/golden.h"
 #include "tests/simulator/loop/recorded_run.h"
 
@@ -22,7 +23,7 @@ class SilverRun {
  public:
   explicit SilverRun(const Bone& bone)
       : bone_(bone),
-        scenario_(scenarios::load_shipped_scenario("silver")),
+        scenario_(scenarios_test::format_1("silver")),
         plan_(plan_on(scenario_, bone_)),
         simulation_(simulation_setup(scenario_, bone_, plan_, Guidance::None)) {}
 
@@ -57,7 +58,7 @@ Bone read_packed_bone(const std::filesystem::path& file) {
 }
 
 TEST(Golden, TheExpertsFirstSilverGivesTheCommittedHashesAndReplaysIdentical) {
-  const Bone bone = scenarios::make_patient(scenarios::load_shipped_scenario("silver"));
+  const Bone bone = scenarios::make_patient(scenarios_test::format_1("silver"));
   const SilverRun run(bone);
   const Recording recording = run.record();
   tests::expect_golden(bone, recording, tests::golden_silver_expert_1);

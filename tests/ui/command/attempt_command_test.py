@@ -233,8 +233,9 @@ class FreshDirectory(CommandTest):
     def test_a_fault_that_there_is_not_is_refused_with_those_there_are(self):
         for fault, words in (("wobble", ["tilt[:CUT]", "over_cut", "skip:STEP", "touch_zone:ZONE"]),
                              ("tilt:proximal_face", ["silver", "eminence"]), ("tilt=steep", ["-45 to 45", "degrees"]),
-                             ("press=200", ["0 to 20"]), ("skip", ["verify", "remove"]), ("skip:close", ["verify", "remove"]),
-                             ("touch_zone", ["tibial_sesamoid_cartilage"]), ("swap", ["two"]), ("dry=3", ["dry"])):
+                             ("press=200", ["0 to 20"]), ("skip", ["verify", "take_eminence"]),
+                             ("skip:close", ["verify", "take_eminence"]), ("touch_zone", ["tibial_sesamoid_cartilage"]),
+                             ("swap", ["two"]), ("dry=3", ["dry"])):
             with self.subTest(fault=fault):
                 self.expect_refusal(BAD_INPUT, [fault, *words], "attempt", "silver", "--hand", "perfect", "--fault", fault)
         self.assertFalse(self.data.exists(), "and nothing was begun")

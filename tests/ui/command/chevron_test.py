@@ -5,15 +5,11 @@ was exported lies as it may lie, by code that shares nothing with the program's.
 
 import json
 import math
-import os
-import pathlib
 import unittest
 
-from hallux_command import DONE, CommandTest
+from hallux_command import DONE, SHIPPED, CommandTest
 from outsider.export import Export, read_ply
 from outsider.geometry import cross, dot, length, sub
-
-CHEVRON = pathlib.Path(os.environ["HALLUX_CHEVRON"])
 
 
 def volume_mm3(mesh):
@@ -82,7 +78,7 @@ def distance_mm(point, a, b, c):
 
 class Chevron(CommandTest):
     def operated(self):
-        scenario = json.loads(CHEVRON.read_text())
+        scenario = json.loads((SHIPPED / "chevron.json").read_text())
         scenario["patient"]["bones"][0]["edge_mm"] = 0.9
         file = self.folder / "chevron.json"
         file.write_text(json.dumps(scenario))

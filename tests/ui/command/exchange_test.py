@@ -10,9 +10,10 @@ import unittest
 
 import jsonschema
 
-from hallux_command import BAD_INPUT, DONE, REFUSED, STORAGE, WRONG_USAGE, RecordedTest
+from hallux_command import BAD_INPUT, DONE, REFUSED, SHIPPED, STORAGE, WRONG_USAGE, RecordedTest
 
 PASSWORD = "saw bone hinge wire"
+BLADE = ("width_mm", "depth_mm", "thickness_mm", "kerf_mm")
 SCHEMAS = pathlib.Path(__file__).resolve().parents[3] / "docs" / "schemas"
 
 
@@ -101,9 +102,29 @@ class Exchange(RecordedTest):
         self.assertGreaterEqual(len(list(self.exported.glob("piece-*.ply"))), 2, "the eminence and what is left")
 
     def test_the_plan_is_told_in_the_frame_of_the_bone(self):
-        plan = json.loads((self.exported / "plan.json").read_text())
+        self.expect_plan(self.exported)
+
+    def test_so_is_one_with_fragments_and_implants(self):
+        scenario = json.loads((SHIPPED / "akin.json").read_text())
+        scenario["patient"]["bones"][0]["edge_mm"] = 1
+        self.data = self.here
+        attempt = self.ask("attempt", self.write("akin.json", scenario), "--hand", "novice", "--seed", 3)["attempt"]
+        self.ask("export", attempt, "-o", self.folder / "akin")
+        plan = self.expect_plan(self.folder / "akin" / attempt)
+        self.assertEqual([fragment["name"] for fragment in plan["fragments"]],
+                         [fragment["name"] for fragment in scenario["fragments"]])
+        self.assertEqual([implant["name"] for implant in plan["implants"]],
+                         [implant["name"] for implant in scenario["wires"] + scenario["screws"]])
+        for fragment in plan["fragments"]:
+            self.expect_pose(fragment["pose"])
+        for implant in plan["implants"]:
+            self.assertAlmostEqual(dot(implant["direction"], implant["direction"]), 1.0, delta=1e-12)
+
+    def expect_plan(self, folder):
+        """Of a scenario of either format."""
+        plan = json.loads((folder / "plan.json").read_text())
         check_schema(plan, "plan")
-        manifest = self.manifest()
+        manifest = json.loads((folder / "manifest.json").read_text())
         self.assertEqual((plan["scenario"], plan["scenario_version"]),
                          (manifest["scenario"]["name"], manifest["scenario"]["version"]))
         scenario = json.loads(manifest["scenario"]["text"])
@@ -117,13 +138,22 @@ class Exchange(RecordedTest):
                 self.assertAlmostEqual(dot(direction, direction), 1.0, delta=1e-12)
             self.assertAlmostEqual(dot(cut["normal"], cut["axis"]), 0.0, delta=1e-12)
             self.assertAlmostEqual(dot(cut["normal"], cut["entry_in_bone_mm"]), cut["offset_mm"], delta=1e-9)
-        rows = plan["world_from_bone"]
+        self.expect_pose(plan["world_from_bone"])
+        self.expect_blades(plan, scenario)
+        return plan
+
+    def expect_pose(self, rows):
         for i in range(3):
             for j in range(3):
                 self.assertAlmostEqual(dot(rows[i][:3], rows[j][:3]), float(i == j), delta=1e-9)
         self.assertEqual(rows[3], [0, 0, 0, 1])
-        blade = scenario["blade"]
-        self.assertEqual(plan["blade"], {key: blade[key] for key in plan["blade"]})
+
+    def expect_blades(self, plan, scenario):
+        blades = scenario.get("blades") or [scenario["blade"]]
+        self.assertEqual(len(plan["blades"]), len(blades))
+        for told, blade in zip([plan["blade"], *plan["blades"]], [blades[0], *blades]):
+            self.assertEqual([told[key] for key in BLADE], [blade[key] for key in BLADE])
+        self.assertEqual([cut["blade"] for cut in plan["cuts"]], [cut.get("blade") for cut in scenario["cuts"]])
 
     def test_an_export_without_a_plan_is_taken_in_and_leaves_as_it_came(self):
         """Older programs wrote none; and whoever lost the file can import all the same."""

@@ -18,6 +18,8 @@ import unittest
 
 PROGRAM = os.environ["HALLUX_PROGRAM"]
 SILVER = pathlib.Path(os.environ["HALLUX_SILVER"])
+# Where the operations lie as they are shipped.
+SHIPPED = pathlib.Path(os.environ["HALLUX_SHIPPED"])
 ATTEMPT_KIB_AT_MOST = 300_000_000 // 1024
 DONE, CHECK_FAILED, WRONG_USAGE, BAD_INPUT, REFUSED, INTERRUPTED, STORAGE, NO_DISPLAY = range(8)
 
@@ -28,7 +30,7 @@ def greatest_kib():
 
 
 def coarse_scenario(name):
-    """A shipped scenario with a bone that is built in a moment."""
+    """An operation of format 1 with a bone that is built in a moment."""
     scenario = json.loads(SILVER.with_name(f"{name}.json").read_text())
     scenario["patient"]["edge_mm"] = 1
     return scenario

@@ -4,7 +4,7 @@
 import json
 import unittest
 
-from hallux_command import BAD_INPUT, SILVER, CommandTest, coarse_silver
+from hallux_command import BAD_INPUT, SHIPPED, CommandTest, coarse_silver
 
 
 class Scenarios(CommandTest):
@@ -23,7 +23,7 @@ class Scenarios(CommandTest):
 
     def test_show_gives_the_scenario_as_it_is_kept(self):
         shown = self.ask("scenario", "show", "silver")
-        for key, value in json.loads(SILVER.read_text()).items():
+        for key, value in json.loads((SHIPPED / "silver.json").read_text()).items():
             self.assertEqual(shown[key], value)
         self.assertIn("not surgeon-reviewed", self.hallux("scenario", "show", "silver").out)
 
@@ -42,7 +42,7 @@ class Scenarios(CommandTest):
             self.expect_refusal(BAD_INPUT, ["signed.json", "a file cannot review itself"], *verb, file)
 
     def test_check_lays_the_planes_on_the_patient(self):
-        checked = self.ask("scenario", "check", SILVER)
+        checked = self.ask("scenario", "check", SHIPPED / "silver.json")
         self.assertEqual(checked["name"], "silver")
         self.assertIs(checked["reviewed"], False)
         cut = checked["cuts"][0]
@@ -66,7 +66,7 @@ class Scenarios(CommandTest):
 
     def test_check_measures_what_the_start_view_shows(self):
         for name in ("silver", "akin"):
-            file = SILVER.with_name(f"{name}.json")
+            file = SHIPPED / f"{name}.json"
             seen = self.ask("scenario", "check", file)["start_view"]
             for share in ("tooth_line_share", "kerf_share"):
                 self.assertGreaterEqual(seen[share], 0.8, name)
@@ -75,7 +75,7 @@ class Scenarios(CommandTest):
             self.assertIs(seen["saw_from_lower_corner"], True, name)
             self.assertIs(seen["good"], True, name)
             self.assertIs(seen["default"], False, name)
-        self.assertIn("Its start view shows ", self.hallux("scenario", "check", SILVER).out)
+        self.assertIn("Its start view shows ", self.hallux("scenario", "check", SHIPPED / "silver.json").out)
 
     def test_a_start_view_that_hides_its_own_cut_is_refused(self):
         scenario = coarse_silver()

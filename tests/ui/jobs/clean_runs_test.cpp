@@ -18,7 +18,7 @@ const StageProgress untold = [](const std::string&) { return Progress(); };
 /// The shipped Silver on a patient that is built and sawn in a moment.
 scenarios::Scenario coarse_silver() {
   auto text = nlohmann::ordered_json::parse(scenarios::load_shipped_scenario("silver").text);
-  text["patient"]["edge_mm"] = 1.5;
+  text["patient"]["bones"][0]["edge_mm"] = 1.5;
   return scenarios::parse_scenario(text.dump(), "coarse silver");
 }
 

@@ -70,9 +70,9 @@ TEST(PlanFile, TheHingeLiesInBothOfItsFaces) {
   const json& hinge = plan.at("hinges").at(0);
   EXPECT_EQ(hinge.at("first_cut"), first.at("name"));
   EXPECT_EQ(hinge.at("second_cut"), second.at("name"));
-  EXPECT_EQ(first.at("kind"), "transverse");
-  EXPECT_EQ(second.at("kind"), "through_hinge");
   for (const json* cut : {&first, &second}) {
+    EXPECT_EQ(cut->at("kind"), "turned");
+    EXPECT_EQ(cut->at("along_bone"), false);
     EXPECT_EQ(cut->at("hinge"), hinge.at("name"));
     EXPECT_EQ(cut->at("exit_in_bone_mm"), hinge.at("point_in_bone_mm"));
     EXPECT_NEAR(off_mm(*cut, "exit_in_bone_mm"), 0.0, 1e-9);
@@ -94,6 +94,18 @@ TEST(PlanFile, AFaceAcrossTheBoneWithoutAHingeHasNoPlannedExit) {
   EXPECT_TRUE(cut.at("exit_in_bone_mm").is_null());
 }
 
+/// Row by row; a point has a fourth number, 1.
+Vec3 carried(const json& matrix, const Vec3& point_mm) {
+  Vec3 carried_mm{0.0, 0.0, 0.0};
+  for (int row = 0; row < 3; ++row) {
+    const json& numbers = matrix.at(static_cast<std::size_t>(row));
+    carried_mm[row] = numbers.at(3).get<double>();
+    for (int i = 0; i < 3; ++i)
+      carried_mm[row] += numbers.at(static_cast<std::size_t>(i)).get<double>() * point_mm[i];
+  }
+  return carried_mm;
+}
+
 TEST(PlanFile, TheMatrixIsThePlaceOfTheBone) {
   const Planned made = planned("silver");
   const json plan = file_of(made);
@@ -102,15 +114,65 @@ TEST(PlanFile, TheMatrixIsThePlaceOfTheBone) {
     const Vec3 in_bone_mm = vector_in(plan.at("landmarks").at(landmark.name));
     EXPECT_EQ(in_bone_mm, landmark.point_in_bone_mm);
     const Vec3 in_world_mm = transform_point(made.bone.world_from_bone, in_bone_mm);
-    for (int row = 0; row < 3; ++row) {
-      const json& numbers = plan.at("world_from_bone").at(static_cast<std::size_t>(row));
-      double sum_mm = numbers.at(3).get<double>();
-      for (int i = 0; i < 3; ++i) {
-        sum_mm += numbers.at(static_cast<std::size_t>(i)).get<double>() * in_bone_mm[i];
-      }
-      EXPECT_NEAR(sum_mm, in_world_mm[row], 1e-9);
-    }
+    const Vec3 carried_mm = carried(plan.at("world_from_bone"), in_bone_mm);
+    EXPECT_NEAR(length_of(carried_mm - in_world_mm), 0.0, 1e-9);
   }
+}
+
+TEST(PlanFile, AResectionLiesAlongTheBoneAndPartsNoFragment) {
+  const json plan = file_of(planned("silver"));
+  EXPECT_EQ(plan.at("cuts").at(0).at("along_bone"), true);
+  EXPECT_EQ(plan.at("fragments"), json::array());
+  EXPECT_EQ(plan.at("implants"), json::array());
+}
+
+TEST(PlanFile, AFragmentIsCarriedToWhereItsWedgeIsClosed) {
+  const json plan = file_of(planned("akin"));
+  ASSERT_EQ(plan.at("fragments").size(), 1U);
+  const json &toe = plan.at("fragments").at(0), &hinge = plan.at("hinges").at(0);
+  EXPECT_EQ(toe.at("name"), "toe");
+  EXPECT_GT(toe.at("volume_mm3").get<double>(), 1000.0);
+  EXPECT_NEAR(length_of(vector_in(toe.at("dorsal_in_bone"))), 1.0, 1e-12);
+  const json& pose = toe.at("pose");
+  const Vec3 on_hinge_mm = vector_in(hinge.at("point_in_bone_mm"));
+  EXPECT_NEAR(length_of(carried(pose, on_hinge_mm) - on_hinge_mm), 0.0, 1e-9);
+  const json& turning = plan.at("cuts").at(1);
+  const Vec3 normal = vector_in(turning.at("normal"));
+  const Vec3 turned = carried(pose, normal) - carried(pose, Vec3{0.0, 0.0, 0.0});
+  const Vec3 standing = vector_in(plan.at("cuts").at(0).at("normal"));
+  EXPECT_NEAR(glm::dot(turned, standing), -1.0, 1e-12);
+}
+
+TEST(PlanFile, AnImplantIsPlannedWithTheMiddleOfItsLengths) {
+  const json implants = file_of(planned("akin")).at("implants");
+  ASSERT_EQ(implants.size(), 3U);
+  EXPECT_EQ(implants.at(0).at("kind"), "wire");
+  EXPECT_EQ(implants.at(2).at("kind"), "screw");
+  EXPECT_EQ(implants.at(2).at("lengths_mm"), json({15.0, 20.0}));
+  EXPECT_EQ(implants.at(2).at("diameters_mm"), json({2.0, 3.0}));
+  EXPECT_EQ(implants.at(2).at("engages"), json({"toe", "first_proximal_phalanx"}));
+  for (const json& implant : implants) {
+    EXPECT_EQ(implant.at("temporary"), false);
+    const Vec3 direction = vector_in(implant.at("direction"));
+    EXPECT_NEAR(length_of(direction), 1.0, 1e-12);
+    const json& lengths_mm = implant.at("lengths_mm");
+    const double length_mm =
+        0.5 * (lengths_mm.at(0).get<double>() + lengths_mm.at(1).get<double>());
+    const Vec3 way_mm =
+        vector_in(implant.at("tip_in_bone_mm")) - vector_in(implant.at("entry_in_bone_mm"));
+    EXPECT_NEAR(length_of(way_mm - length_mm * direction), 0.0, 1e-9);
+  }
+}
+
+TEST(PlanFile, EachCutNamesABladeOfTheTray) {
+  const json plan = file_of(planned("chevron"));
+  ASSERT_EQ(plan.at("blades").size(), 2U);
+  EXPECT_EQ(plan.at("blades").at(1).at("name"), "narrow");
+  EXPECT_EQ(plan.at("blades").at(1).at("width_mm"), 9.0);
+  for (const auto& [key, size_mm] : plan.at("blade").items())
+    EXPECT_EQ(plan.at("blades").at(0).at(key), size_mm);
+  EXPECT_EQ(plan.at("cuts").at(0).at("blade"), "wide");
+  EXPECT_EQ(plan.at("cuts").at(1).at("blade"), "narrow");
 }
 
 TEST(PlanFile, ANameThatIsNoTextHindersNothing) {

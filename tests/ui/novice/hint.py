@@ -1,6 +1,6 @@
 """A hint on the screen, read as a person reads it: what is so, where it is to come, and what the hand is told to do.
 
-    "Tilt along is +4.9°, Tilt across −1.2°: bring them to 0.0° and 0.0°. Keys: Ctrl+Down, 3 times. Mouse: drag down ..."
+    "Tilt along is +4.9°, Tilt across −1.2°: bring them to 0.0° and 0.0°. Keys: Ctrl+Down, 3 times. Mouse: drag down ... by 3.0°."
      |________________ values ______________|               |__ goals __|        |___ the hand ___|
 """
 
@@ -30,6 +30,8 @@ class Hint:
     keys: str
     times: int
     mouse: str
+    # How far it goes: notches of the wheel, millimetres of a move, degrees of a drag; None where that is not said.
+    amount: float | None
 
 
 def parts_left(sentence):
@@ -55,4 +57,6 @@ def read_hint(text):
     left = parts_left(sentence)
     # Of a push it is the force that the hand sets right.
     greatest = left[0] if "keep it between" in sentence else max(left, default=None)
-    return Hint(re.sub(NUMBER, "#", sentence), sum(left) if left else None, greatest, keys or "", int(times or 1), mouse or "")
+    words, amount = re.fullmatch(r"(.*?)(?:,? (?:by )?(\d+(?:\.\d+)?)(?: notch(?:es)?| mm|°))?", mouse or "").groups()
+    return Hint(re.sub(NUMBER, "#", sentence), sum(left) if left else None, greatest, keys or "", int(times or 1), words,
+                float(amount) if amount else None)

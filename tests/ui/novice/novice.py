@@ -1,6 +1,7 @@
 """A person who has read no guide and operates by what the screen says. It knows no operation: it looks at the map of the
 window, does what the hint says, and looks again."""
 
+import dataclasses
 import random
 import re
 import time
@@ -11,8 +12,12 @@ LOOK_S = 0.25
 # After an input nothing that the hint names came nearer for so long: a wrong turn.
 WRONG_TURN_S = 5.0
 AT_ONCE = 8
-# A press that moves less is a click.
-CLICK_PIXELS = 8
+# A press that moves less is a click; as far as a hand goes at once.
+CLICK_PIXELS, PIXELS_AT_MOST = 8, 150
+# To look from elsewhere. What is meant to go less, in millimetres or degrees, teaches nothing: hints round.
+LOOK_PIXELS, LEARNT_FROM = 40, 2.0
+# A button is held on for so long: a frame that hears it let go hears of a drag no more, and takes a notch for a plain one.
+HELD_ON_S = 0.2
 # A display gives fast movements of a mouse more pixels than slow ones.
 SHORT_PIXELS, SLOW_STEP_PIXELS, FAST_STEP_PIXELS, STEP_S = 30, 2, 10, "0.02"
 # Until an input is seen, and until it has come to rest.
@@ -141,11 +146,33 @@ class KeyboardHand:
         self.person.press_slowly(chance.choice(["Left", "Right", "Up", "Down", "Next", "ctrl+Left", "ctrl+Up"]))
 
 
-class MouseHand:
-    """Moves, drags, clicks and turns the wheel as the hint says; how far a pixel goes it learns by looking."""
+@dataclasses.dataclass(frozen=True)
+class Pull:
+    """A move or a drag of the mouse by so many pixels, and what it was meant for."""
 
-    # Where it begins to learn: pixels of a millimetre or a degree, notches of a millimetre or a newton.
-    PIXELS, NOTCHES = 3.5, 1.0
+    # "move", "drag" or "slow drag": of each a pixel goes equally far to all sides.
+    kind: str
+    # Of the hint that asked for it.
+    hint: str
+    way: tuple
+    # Millimetres or degrees that were left.
+    amount: float
+    pixels: int
+
+    def gone(self, then):
+        """How far it went, by what is asked for then; None where that tells nothing of it."""
+        across = self.way[0] * then.way[0] + self.way[1] * then.way[1]
+        if (self.kind, self.hint) != (then.kind, then.hint) or across == 0 or self.amount < LEARNT_FROM:
+            return None
+        return self.amount - across * then.amount
+
+
+class MouseHand:
+    """Moves, drags and turns the wheel as far as the hint says, of notches a few at once; how far a pixel goes it learns by
+    looking."""
+
+    # Where it begins to learn: pixels of a millimetre, or of a degree.
+    PIXELS = {"move": 6.0, "drag": 4.0, "slow drag": 20.0}
     WAYS = {"left": (-1, 0), "right": (1, 0), "up": (0, -1), "down": (0, 1)}
     AWAY, TOWARDS = "4", "5"
     BUTTONS = {"tray": "operate.tray.open", "forceps": "operate.forceps", "drive home": "operate.drive_home",
@@ -153,7 +180,7 @@ class MouseHand:
 
     def __init__(self, person):
         self.person = person
-        self.gain, self.last = {}, None
+        self.gain, self.last = dict(self.PIXELS), None
 
     def do(self, hint, screen):
         words = hint.mouse
@@ -163,33 +190,41 @@ class MouseHand:
             return self.set_down(screen)
         if words.startswith("click"):
             return self.person.xdotool("click", "1")
-        amount = self.amount(hint)
+        held = [key for name, key in (("Shift", "shift"), ("Alt", "alt")) if f"hold {name}" in words]
+        for key in held:
+            self.person.xdotool("keydown", key)
         if "wheel" in words:
-            return self.turn_wheel(words, max(1, min(AT_ONCE, round(amount))))
-        way = next(self.WAYS[each] for each in words.split() if each in self.WAYS)
-        button = "2" if "middle" in words else "1"
-        self.move(way, max(1, min(150, round(amount))), button if "drag" in words else None)
+            self.turn_wheel(words, min(AT_ONCE, int(hint.amount)))
+        else:
+            way = next(self.WAYS[each] for each in re.findall(r"\w+", words) if each in self.WAYS)
+            button = ("2" if "middle" in words else "1") if "drag" in words else None
+            self.move(way, self.pixels(hint, way), button)
+        for key in held:
+            self.person.xdotool("keyup", key)
 
-    def amount(self, hint):
-        """What is left by the hint's words, in pixels or notches as the same movement went the last time."""
-        start = self.NOTCHES if "wheel" in hint.mouse else self.PIXELS
-        left = hint.greatest if hint.greatest is not None else 1.0
-        gain = self.gain.get(hint.mouse, start)
-        if self.last and self.last[0] == (hint.mouse, hint.kind):
-            gone = self.last[1] - left
-            gain *= min(1.5, max(0.6, self.last[1] / gone)) if gone > 0.05 else 1.3
-            gain = min(8.0 * start, max(start / 8.0, gain))
-        self.gain[hint.mouse] = gain
-        self.last = ((hint.mouse, hint.kind), left)
-        return left * gain
+    def pixels(self, hint, way):
+        """As far as the hint says, as pixels went the last time."""
+        if hint.amount is None:
+            return LOOK_PIXELS
+        kind = "move" if "drag" not in hint.mouse else "slow drag" if "hold Shift" in hint.mouse else "drag"
+        asked = Pull(kind, hint.kind, way, hint.amount, 0)
+        gone = self.last.gone(asked) if self.last else None
+        if gone is not None and gone > 0.0:
+            before = self.gain[kind]
+            self.gain[kind] = min(2.0 * before, max(0.4 * before, self.last.pixels / gone))
+        # What hardly moves is a click.
+        least = 1 if kind == "move" else CLICK_PIXELS
+        pixels = max(least, min(PIXELS_AT_MOST, round(hint.amount * self.gain[kind])))
+        self.last = dataclasses.replace(asked, pixels=pixels)
+        return pixels
 
     def move(self, way, pixels, dragged_by):
         if dragged_by:
             self.person.xdotool("mousedown", dragged_by)
-            # What hardly moves is a click. Not out and back: GLFW loses what a caught pointer does on its way back.
-            pixels = max(pixels, CLICK_PIXELS)
+        # Not out and back: GLFW loses what a caught pointer does on its way back.
         self.glide(way, pixels)
         if dragged_by:
+            time.sleep(HELD_ON_S)
             self.person.xdotool("mouseup", dragged_by)
 
     def glide(self, way, pixels):
@@ -204,14 +239,11 @@ class MouseHand:
             self.person.xdotool(*words)
 
     def turn_wheel(self, words, notches):
-        is_held, has_alt = "left button" in words, "Alt" in words
+        is_held = "left button" in words
         if is_held:
             self.person.xdotool("mousedown", "1")
-        if has_alt:
-            self.person.xdotool("keydown", "alt")
         self.person.xdotool("click", "--repeat", str(notches), "--delay", "25", self.AWAY if "away" in words else self.TOWARDS)
-        if has_alt:
-            self.person.xdotool("keyup", "alt")
+        time.sleep(HELD_ON_S)
         if is_held:
             self.person.xdotool("mouseup", "1")
 

@@ -9,6 +9,7 @@
 #include "assessment/rebuild/rebuild.h"
 #include "database/content/assets.h"
 #include "tests/assessment/akin_attempt.h"
+#include "tests/scenarios/format_1/format_1.h"
 
 namespace hallux::ui {
 
@@ -38,9 +39,9 @@ std::string partly_measured(const std::string& text) {
   return scenario.dump(2);
 }
 
-/// The shipped operation with a blade that takes the whole section in one stroke.
+/// The operation of format 1 with a blade that takes the whole section in one stroke.
 scenarios::Scenario wide_akin() {
-  std::string text = partly_measured(scenarios::load_shipped_scenario("akin").text);
+  std::string text = partly_measured(scenarios_test::format_1("akin").text);
   const auto replace = [&](const std::string& from, const std::string& to) {
     const std::size_t at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;

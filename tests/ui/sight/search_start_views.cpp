@@ -1,5 +1,5 @@
 // Tries directions around the site of each shipped operation and prints the best start views:
-//     search_start_views [SCENARIO [RECORDINGS]]
+//     search_start_views [SCENARIO|FILE [RECORDINGS]]
 //
 // Those that see the strokes of the plan best are held against as many recordings of the expert's
 // hand.
@@ -126,7 +126,9 @@ struct Site {
 };
 
 void search(const std::string& name, int recordings) {
-  scenarios::Scenario scenario = scenarios::load_shipped_scenario(name);
+  const bool is_file = name.find(".json") != std::string::npos;
+  scenarios::Scenario scenario =
+      is_file ? scenarios::read_scenario(name) : scenarios::load_shipped_scenario(name);
   scenario.patient.edge_mm = 0.9;
   Site site{scenario};
   std::vector<Found> found;
@@ -157,6 +159,6 @@ int main(int count, char** words) {
     search(words[1], recordings);
     return 0;
   }
-  for (const char* name : {"silver", "akin"}) search(name, recordings);
+  for (const char* name : {"silver", "akin", "chevron"}) search(name, recordings);
   return 0;
 }

@@ -71,7 +71,8 @@ scenarios::HandSkill skill_between(double skill) {
         &scenarios::HandSkill::stroke_jitter_mm, &scenarios::HandSkill::stroke_jitter_rad,
         &scenarios::HandSkill::edge_margin_mm, &scenarios::HandSkill::approach_mm_s,
         &scenarios::HandSkill::stop_mean_mm, &scenarios::HandSkill::stop_deviation_mm,
-        &scenarios::HandSkill::meet_deviation_mm}) {
+        &scenarios::HandSkill::meet_deviation_mm, &scenarios::HandSkill::shift_deviation_mm,
+        &scenarios::HandSkill::shift_turn_deviation_deg}) {
     hand.*size = mixed(size);
   }
   mixed_into(hand.push, &scenarios::HandSkill::push, &Push::steady_newton, &Push::exit_newton,

@@ -71,8 +71,10 @@ void add_wire(ToolBuilder& builder, const Wire& wire, double back_x_mm) {
     rings.push_back(trocar_ring(-share * wire.point_mm, radius_mm, share));
   // A facet leans so little that its edge to the cylinder is told by its points, not by its angle.
   std::vector<int> surfaces;
-  for (int i = 0; i < facets * (points_on_line + points_on_arc); ++i)
-    surfaces.push_back(i % (points_on_line + points_on_arc) < points_on_line ? 1 : 0);
+  constexpr int of_facet = points_on_line + points_on_arc;
+  surfaces.reserve(std::size_t{facets} * of_facet);
+  for (int i = 0; i < facets * of_facet; ++i)
+    surfaces.push_back(i % of_facet < points_on_line ? 1 : 0);
   builder.add_rings(rings, 0.5, surfaces);
 }
 

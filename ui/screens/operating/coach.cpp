@@ -377,7 +377,7 @@ bool is_of_implants(StepKind kind) noexcept {
 
 /// While no fragment is free, the cut that holds it.
 std::optional<Hint> shift_step_hint(const CoachView& view) {
-  if (const std::optional<Hint> hint = shift_hint(view)) return hint;
+  if (std::optional<Hint> hint = shift_hint(view)) return hint;
   return freeing_hint(view);
 }
 
@@ -385,7 +385,7 @@ std::optional<Hint> shift_step_hint(const CoachView& view) {
 std::optional<Hint> hand_hint(const CoachView& view, const PlannedCut& cut) {
   if (view.tools == nullptr || view.tools->tray().size() < 2 || view.is_in_kerf)
     return std::nullopt;
-  if (const std::optional<Hint> wire = temporary_wire_hint(view)) return wire;
+  if (std::optional<Hint> wire = temporary_wire_hint(view)) return wire;
   return tool_hint(view, blade_place(cut));
 }
 
@@ -417,7 +417,7 @@ std::optional<Hint> next_hint(const CoachView& view) {
   }
   const PlannedCut* cut = cut_of_step(view);
   if (cut == nullptr) return std::nullopt;
-  if (const std::optional<Hint> hint = hand_hint(view, *cut)) return hint;
+  if (std::optional<Hint> hint = hand_hint(view, *cut)) return hint;
   return cut_hint(view, *cut);
 }
 

@@ -249,12 +249,12 @@ std::optional<Hint> implant_hint(const CoachView& view) {
   if (!task) {
     if (view.is_in_bore) return draw_back_hint("operate.hint.clear_tip", 5.0);
     if (step_of(view).kind == StepKind::Fix) {
-      if (const std::optional<Hint> wire = temporary_wire_hint(view)) return wire;
+      if (std::optional<Hint> wire = temporary_wire_hint(view)) return wire;
     }
     return press_hint("operate.hint.implant_done");
   }
   const ImplantReading reading = read_implant(*task->implant, view.bone_from_tool);
-  if (const std::optional<Hint> tool = tool_hint(view, task->tool)) {
+  if (std::optional<Hint> tool = tool_hint(view, task->tool)) {
     // A drill that has bored its hole is drawn out of it first.
     if (tool->move == HandMove::DrawBack)
       return draw_back_hint("operate.hint.bored", reading.depth_mm - clear_mm);
@@ -268,7 +268,7 @@ std::optional<Hint> temporary_wire_hint(const CoachView& view) {
   if (view.is_in_bore) return draw_back_hint("operate.hint.wire_out", 30.0);
   const StandingImplant* const standing = temporary_standing(view);
   if (standing == nullptr) return std::nullopt;
-  if (const std::optional<Hint> tool = tool_hint(view, standing->tool)) return tool;
+  if (std::optional<Hint> tool = tool_hint(view, standing->tool)) return tool;
   return move_hint("operate.hint.take_wire", HandMove::LeaveOrTake);
 }
 
@@ -295,7 +295,7 @@ ShiftReading shift_reading(const CoachView& view, std::size_t shift) {
 }
 
 std::optional<Hint> shift_hint(const CoachView& view) {
-  if (const std::optional<Hint> wire = temporary_wire_hint(view)) return wire;
+  if (std::optional<Hint> wire = temporary_wire_hint(view)) return wire;
   const std::optional<std::size_t> shift = shift_at_hand(view);
   if (!shift || !piece_of_shift(view, *shift)) return std::nullopt;
   const ShiftReading reading = shift_reading(view, *shift);

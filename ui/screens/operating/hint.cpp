@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
+#include "simulator/base/units.h"
+#include "simulator/device/mouse.h"
+#include "ui/screens/operating/hand/steering.h"
 #include "ui/screens/operating/hud/operating_hud.h"
 
 namespace hallux::ui {
@@ -59,12 +63,46 @@ bool is_by_hand(const MoveTexts& move, Led led) noexcept {
   return led == Led::Nothing || !move.is_turn;
 }
 
+/// The wheel makes them; a notch goes as far as a key press (hand/steering).
+constexpr std::array wheel_moves{HandMove::Push,      HandMove::DrawBack, HandMove::RollLeft,
+                                 HandMove::RollRight, HandMove::Nearer,   HandMove::Deeper};
+constexpr std::array plain_moves{HandMove::Left, HandMove::Right, HandMove::Up, HandMove::Down};
+/// A drag makes them. Of few pixels it would be a click, so that few degrees take Shift: 3 degrees
+/// are 12 pixels without it and 58 with it.
+constexpr std::array drag_moves{HandMove::TurnLeft, HandMove::TurnRight, HandMove::TurnUp,
+                                HandMove::TurnDown};
+constexpr double fine_drag_deg = 3.5;
+
 std::string keys_text(const Texts& texts, const Hint& hint, const MoveTexts& move) {
   std::string keys;
   if (hint.is_fine) keys = std::string(texts.text("key.shift")) + "+";
   keys += texts.text(move.keys_id);
   if (hint.times == 1) return keys;
   return texts.say("operate.hint.times", {{"keys", keys}, {"count", std::to_string(hint.times)}});
+}
+
+bool is_among(HandMove move, std::span<const HandMove> moves) noexcept {
+  return std::ranges::find(moves, move) != moves.end();
+}
+
+/// With how far it goes: a key press is a notch, a millimetre or a degree. A plain move needs no
+/// Shift: it goes as finely as the hand does.
+std::string mouse_text(const Texts& texts, const Hint& hint, const MoveTexts& move) {
+  const double steps = hint.times * (hint.is_fine ? simulator::fine_share : 1.0);
+  std::string mouse = texts.say(move.mouse_id, hint.values);
+  bool has_shift = false;
+  if (is_among(hint.move, plain_moves)) {
+    mouse = texts.say("operate.hint.way",
+                      {{"mouse", mouse}, {"way", decimal_text(steps * key_step_mm)}});
+  } else if (is_among(hint.move, wheel_moves)) {
+    mouse = texts.say_count("operate.hint.notches", hint.times, {{"mouse", mouse}});
+    has_shift = hint.is_fine;
+  } else if (is_among(hint.move, drag_moves)) {
+    const double turn_deg = degree_from_radian(steps * key_turn_rad);
+    mouse = texts.say("operate.hint.turn", {{"mouse", mouse}, {"angle", decimal_text(turn_deg)}});
+    has_shift = turn_deg < fine_drag_deg;
+  }
+  return has_shift ? texts.say("operate.hint.fine", {{"mouse", mouse}}) : mouse;
 }
 
 }  // namespace
@@ -102,7 +140,7 @@ std::string hint_text(const Texts& texts, const Hint& hint, Led led) {
   }
   return what + " " +
          texts.say("operate.hint.by", {{"keys", keys_text(texts, hint, *move)},
-                                       {"mouse", texts.say(move->mouse_id, hint.values)}});
+                                       {"mouse", mouse_text(texts, hint, *move)}});
 }
 
 }  // namespace hallux::ui

@@ -47,7 +47,7 @@ struct Hint {
   std::string_view text_id;
   TextValues values = {};
   HandMove move = HandMove::Wait;
-  /// How often a key is to be pressed, about.
+  /// How often a key is to be pressed, or by how many notches the wheel turned, about.
   int times = 1;
   /// A fifth of the way: Shift.
   bool is_fine = false;
@@ -63,8 +63,8 @@ struct Hint {
 /// text_id  with {way} in it
 Hint draw_back_hint(std::string_view text_id, double way_mm);
 
-/// "Tilt along is +4.9: ... Keys: Ctrl+Down. Mouse: left drag down."; of what the hand does that
-/// holds a device, with the hand.
+/// "Tilt along is +4.9: ... Keys: Ctrl+Down, 5 times. Mouse: drag down with the left button by
+/// 5.0°.", of a wheel with its notches; of what the hand does that holds a device, with the hand.
 /// led  what the window leads of the saw
 std::string hint_text(const Texts& texts, const Hint& hint,
                       simulator::SteeredDevice::Led led = simulator::SteeredDevice::Led::Pose);

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "scenarios/steps/step_order.h"
 #include "ui/jobs/devices/device_sentences.h"
 #include "ui/jobs/devices/own_station.h"
 #include "ui/screens/operating/hud/operating_hud.h"
@@ -23,6 +24,8 @@ namespace hallux::ui {
 namespace {
 
 constexpr double shown_after_s = 0.3;
+/// A question stays as low as the smallest window.
+constexpr std::size_t most_steps_named = 8;
 constexpr float sealing_height = 44.0F, title_height = 28.0F;
 /// The panels at the foot and the line of trouble above them.
 constexpr float room_of_panels = 92.0F + 16.0F + 44.0F;
@@ -93,7 +96,54 @@ std::string stop_text(const Ui& ui, const OperatingSession::Stop& stop) {
   return std::string(ui.text("operate.stopped.unknown"));
 }
 
+using Steps = std::vector<scenarios::OperationStep>;
+
+/// Of a group of alternatives each index, else the step's alone.
+std::vector<std::size_t> alternatives_of(const Steps& steps, std::size_t step) {
+  if (steps[step].one_of.empty()) return {step};
+  std::vector<std::size_t> group;
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (steps[i].one_of == steps[step].one_of) group.push_back(i);
+  return group;
+}
+
+/// What must be done and is not: titles, of alternatives of which none is done "X or Y".
+std::vector<std::string> undone_titles(const Texts& texts, const Steps& steps,
+                                       const std::vector<bool>& is_done) {
+  std::vector<std::string> titles;
+  for (std::size_t step = 0; step < steps.size(); ++step) {
+    const std::vector<std::size_t> group = alternatives_of(steps, step);
+    const bool is_told_before = group.front() != step;
+    if (steps[step].is_optional || is_told_before) continue;
+    if (std::ranges::any_of(group, [&](std::size_t each) { return is_done[each]; })) continue;
+    std::string title = steps[step].title;
+    for (std::size_t i = 1; i < group.size(); ++i)
+      title =
+          texts.say("operate.ask.finish.or", {{"one", title}, {"other", steps[group[i]].title}});
+    titles.push_back(std::move(title));
+  }
+  return titles;
+}
+
 }  // namespace
+
+std::string left_steps_text(const Texts& texts, const scenarios::Scenario& scenario,
+                            const StepProgress& progress) {
+  std::vector<bool> is_done;
+  for (std::size_t step = 0; step < scenario.steps.size(); ++step)
+    is_done.push_back(progress.is_done(step) ||
+                      scenario.steps[step].kind == scenarios::StepKind::Finish);
+  if (is_all_done(scenario, is_done)) return std::string(texts.text("operate.ask.finish.all"));
+  const std::vector<std::string> titles = undone_titles(texts, scenario.steps, is_done);
+  const std::size_t named = std::min(titles.size(), most_steps_named);
+  std::string list = titles.front();
+  for (std::size_t i = 1; i < named; ++i) list += ", " + titles[i];
+  if (named < titles.size())
+    list = texts.say("operate.ask.finish.more",
+                     {{"steps", list}, {"count", std::to_string(titles.size() - named)}});
+  return texts.say_count("operate.ask.finish.left", static_cast<long>(titles.size()),
+                         {{"steps", list}});
+}
 
 std::string ready_text(const Ui& ui, bool is_practice, bool is_beginning,
                        const std::string& device) {
@@ -166,17 +216,19 @@ bool draw_storage_full_card(Ui& ui, const std::filesystem::path& directory) {
                     "operate.full.stop", {ui.text("operate.full.stop"), ButtonLook::Secondary});
 }
 
-Answer draw_end_question(Ui& ui, Asked asked, const std::string& held) {
+Answer draw_end_question(Ui& ui, Asked asked, const EndWords& words) {
   const auto text = [&](const char* id) { return ui.text(id); };
   switch (asked) {
     case Asked::Finish:
       return question(ui, "operate.ask_finish",
-                      {text("operate.ask.finish"), text("operate.ask.finish.detail"),
+                      {text("operate.ask.finish"),
+                       words.left + " " + std::string(text("operate.ask.finish.detail")),
                        text("operate.ask.finish.act"), text("operate.ask.keep"), false});
     case Asked::EndUnfinished: {
       const std::string detail =
-          held.empty() ? std::string(text("operate.ask.unfinished.detail"))
-                       : ui.texts().say("operate.ask.unfinished.detail_at", {{"held", held}});
+          words.held.empty()
+              ? std::string(text("operate.ask.unfinished.detail"))
+              : ui.texts().say("operate.ask.unfinished.detail_at", {{"held", words.held}});
       return question(ui, "operate.ask_unfinished",
                       {text("operate.ask.unfinished"), detail, text("operate.ask.unfinished.act"),
                        text("operate.ask.unfinished.keep"), false});

@@ -34,9 +34,21 @@ LostAnswer draw_device_lost_card(Ui& ui, bool is_practice, const std::string& tr
 /// directory  that is recorded into
 bool draw_storage_full_card(Ui& ui, const std::filesystem::path& directory);
 
+/// Sentences that a question adds.
+struct EndWords {
+  /// Of an unfinished step: what still holds; empty where that is not told.
+  std::string held;
+  /// Of the steps that are not done.
+  std::string left;
+};
 /// The question before a step or an operation ends.
-/// held  of an unfinished step: what still holds, in words; empty where that is not told
-Answer draw_end_question(Ui& ui, Asked asked, const std::string& held);
+Answer draw_end_question(Ui& ui, Asked asked, const EndWords& words);
+
+/// "2 steps are not done: X, Y or Z.": by title, of alternatives of which none is done all; or that
+/// all are done. Steps that may be left out are not told, nor the finish itself.
+/// progress  of the scenario
+std::string left_steps_text(const Texts& texts, const scenarios::Scenario& scenario,
+                            const StepProgress& progress);
 
 /// The record is being closed: a moment, unless the disk is slow.
 /// since_s  on the clock of `ui`; what takes no time is not shown

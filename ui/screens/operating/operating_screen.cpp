@@ -205,8 +205,10 @@ void OperatingScreen::ask(Ui& ui) {
   }
   const scenarios::HeldCut* const held = field_.held_at_step();
   const bool is_told = session().is_practice() && held != nullptr && held->is_begun();
-  const Answer answer = draw_end_question(ui, session().asked(),
-                                          is_told ? held_text(ui.texts(), *held) : std::string());
+  const EndWords words{
+      is_told ? held_text(ui.texts(), *held) : std::string(),
+      left_steps_text(ui.texts(), field_.prepared_case().scenario, session().steps())};
+  const Answer answer = draw_end_question(ui, session().asked(), words);
   if (answer == Answer::Waiting) return;
   session().answer(answer == Answer::Act     ? Decided::Act
                    : answer == Answer::Other ? Decided::Finish

@@ -11,6 +11,7 @@
 #include "ui/screens/parts/attempt_desks.h"
 #include "ui/screens/parts/page.h"
 #include "ui/screens/trainee/briefing_text.h"
+#include "ui/screens/trainee/briefing_tray.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/choice.h"
 #include "ui/widgets/shapes.h"
@@ -39,8 +40,20 @@ bool is_arm(std::string_view device) noexcept {
   return kind != nullptr && kind->device_class.starts_with("arm");
 }
 
-std::array<std::string_view, 3> tab_labels(const Ui& ui) {
-  return {ui.text("brief.about"), ui.text("brief.steps"), ui.text("brief.scoring")};
+enum class BriefingTab : std::uint8_t { About, Steps, Tray, Scoring };
+
+/// A saw alone needs no page of its own.
+std::vector<BriefingTab> tabs_of(const scenarios::Scenario& scenario) {
+  if (!has_tray(scenario)) return {BriefingTab::About, BriefingTab::Steps, BriefingTab::Scoring};
+  return {BriefingTab::About, BriefingTab::Steps, BriefingTab::Tray, BriefingTab::Scoring};
+}
+
+std::vector<std::string_view> tab_labels(const Ui& ui, const scenarios::Scenario& scenario) {
+  constexpr std::array ids{"brief.about", "brief.steps", "brief.tray", "brief.scoring"};
+  std::vector<std::string_view> labels;
+  for (const BriefingTab tab : tabs_of(scenario))
+    labels.push_back(ui.text(ids[static_cast<std::size_t>(tab)]));
+  return labels;
 }
 
 }  // namespace
@@ -231,11 +244,13 @@ void BriefingScreen::draw_watch(Ui& ui, const Rect& rect) {
 
 float BriefingScreen::draw_text(Ui& ui, const Rect& rect, Shell& shell) {
   const scenarios::Scenario& scenario = *operation().scenario;
-  if (tab_ == 2) return draw_scoring(ui, rect, scenario);
+  const BriefingTab tab = tabs_of(scenario)[static_cast<std::size_t>(tab_)];
+  if (tab == BriefingTab::Scoring) return draw_scoring(ui, rect, scenario);
+  if (tab == BriefingTab::Tray) return draw_tray(ui, rect, scenario);
   const PatientView* view = pictures_.find(shell, scenario);
   const std::span<const PassesInView> passes =
       view == nullptr ? std::span<const PassesInView>() : view->passes;
-  if (tab_ == 1) return draw_steps(ui, rect, scenario, passes);
+  if (tab == BriefingTab::Steps) return draw_steps(ui, rect, scenario, passes);
   return draw_about(ui, rect, scenario, passes);
 }
 
@@ -243,10 +258,11 @@ void BriefingScreen::draw_text_card(Ui& ui, const Rect& rect, Shell& shell) {
   Rect inside = card(ui, rect, {});
   inside.y -= 8.0F;
   inside.h += 8.0F;
-  tabs(ui, "brief.tab", take_top(inside, tabs_height, 16.0F), tab_labels(ui), tab_);
+  const std::vector<std::string_view> labels = tab_labels(ui, *operation().scenario);
+  tabs(ui, "brief.tab", take_top(inside, tabs_height, 16.0F), labels, tab_);
   const Rect view = inset(inside, -8.0F, 0.0F);
-  const float scrolled = ui.begin_scroll(
-      "brief.words", tab_labels(ui)[static_cast<std::size_t>(tab_)], view, words_height_ + 8.0F);
+  const float scrolled = ui.begin_scroll("brief.words", labels[static_cast<std::size_t>(tab_)],
+                                         view, words_height_ + 8.0F);
   const Rect words{inside.x, inside.y + 4.0F - scrolled, inside.w - 8.0F, inside.h};
   const float height = draw_text(ui, words, shell);
   ui.end_scroll();

@@ -1,6 +1,6 @@
-// A scenario read out: about, steps, scoring. Each part draws from the top of an endless strip and
-// says how high it was, so that height and drawing cannot differ. Every paragraph is a stop of the
-// keyboard, since a page that only a wheel can scroll is closed to those without a mouse.
+// A scenario read out: about, steps, tray, scoring. Each part draws from the top of a long strip
+// and says how high it was, so that height and drawing cannot differ. Every paragraph is a stop of
+// the keyboard, since a page that only a wheel can scroll is closed to those without a mouse.
 #include "ui/screens/trainee/briefing_text.h"
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include "assessment/pass_mark.h"
 #include "assessment/shown_points.h"
 #include "ui/screens/parts/value_text.h"
+#include "ui/screens/trainee/briefing_tray.h"
 #include "ui/widgets/charts/axis.h"
 #include "ui/widgets/controls/marks.h"
 #include "ui/widgets/shapes.h"
@@ -23,6 +24,8 @@ using scenarios::RubricItem;
 using scenarios::Scenario;
 
 constexpr float section_gap = 22.0F, number_room = 40.0F;
+/// Of the names before facts, and between blocks of facts.
+constexpr float fact_name_room = 92.0F, fact_gap = 3.0F, block_gap = 12.0F, block_title = 24.0F;
 /// Of the picture.
 constexpr float passes_height = 190.0F, passes_width = 320.0F;
 
@@ -61,7 +64,7 @@ std::string zones_text(const Texts& texts, const Scenario& scenario) {
 
 std::string means_text(const Texts& texts, const Scenario& scenario,
                        std::span<const PassesInView> passes) {
-  std::string means = texts.say("brief.means.sentence",
+  std::string means = texts.say(has_tray(scenario) ? "brief.means.tray" : "brief.means.sentence",
                                 {{"bone", file_name_text(scenario.patient.bone)},
                                  {"length", tick_text(scenario.patient.length_mm, 0.1)},
                                  {"blade", scenario.blade_name},
@@ -154,6 +157,48 @@ void draw_gates(Ui& ui, Rect& rest, const Scenario& scenario) {
   take_top(rest, 8.0F);
 }
 
+// -- facts
+
+float facts_height(const Ui& ui, const std::vector<Fact>& facts, float width) {
+  float height = 0.0F;
+  for (const Fact& fact : facts)
+    height += ui.paragraph_height(Type::Small, fact.words, width - fact_name_room) + fact_gap;
+  return height;
+}
+
+void draw_facts(Ui& ui, Rect rest, const std::vector<Fact>& facts) {
+  const Theme& theme = ui.theme();
+  const float width = rest.w - fact_name_room;
+  for (const Fact& fact : facts) {
+    Rect row = take_top(rest, ui.paragraph_height(Type::Small, fact.words, width), fact_gap);
+    ui.canvas().paragraph(take_left(row, fact_name_room), {Type::Small, theme.text_caption},
+                          fact.name);
+    ui.canvas().paragraph(row, {Type::Small, theme.text_secondary}, fact.words);
+  }
+}
+
+/// The title of a block, with its step at the right.
+void draw_block_title(Ui& ui, Rect line, const FactBlock& block) {
+  const Theme& theme = ui.theme();
+  const float width = ui.width_of(Type::Caption, block.step) + 1.0F;
+  ui.canvas().text_in(take_right(line, width, 12.0F),
+                      {Type::Caption, theme.text_caption, Align::Right}, block.step);
+  ui.canvas().text_in(line, {Type::BodyMedium, theme.text}, block.title, true);
+}
+
+void draw_group_of_facts(Ui& ui, Rect& rest, const FactGroup& group) {
+  ui.canvas().text_in(take_top(rest, 24.0F, 4.0F), {Type::BodyStrong, ui.theme().text},
+                      group.title);
+  for (const FactBlock& block : group.blocks) {
+    const float title = block.title.empty() ? 0.0F : block_title;
+    Rect row = take_top(rest, title + facts_height(ui, block.facts, rest.w), block_gap);
+    read_along(ui, block.id, block.title.empty() ? group.title : block.title, row);
+    if (!block.title.empty()) draw_block_title(ui, take_top(row, block_title), block);
+    draw_facts(ui, row, block.facts);
+  }
+  take_top(rest, section_gap - block_gap);
+}
+
 /// Where every height comes from: the strip is as tall as anything may become.
 Rect endless(const Rect& rect) { return {rect.x, rect.y, rect.w, 100000.0F}; }
 
@@ -195,6 +240,13 @@ float draw_steps(Ui& ui, const Rect& rect, const Scenario& scenario,
       draw_passes_of_step(ui, rest, "brief.passes." + std::to_string(number), *narrow);
   }
   draw_section(ui, rest, "brief.done", ui.text("brief.done"), ui.text("brief.done.rule"));
+  return rest.y - rect.y;
+}
+
+float draw_tray(Ui& ui, const Rect& rect, const Scenario& scenario) {
+  Rect rest = endless(rect);
+  for (const FactGroup& group : tray_facts(ui.texts(), scenario))
+    draw_group_of_facts(ui, rest, group);
   return rest.y - rect.y;
 }
 

@@ -18,6 +18,9 @@ float draw_about(Ui& ui, const Rect& rect, const scenarios::Scenario& scenario,
 /// means.
 float draw_steps(Ui& ui, const Rect& rect, const scenarios::Scenario& scenario,
                  std::span<const PassesInView> passes);
+/// What lies on the tray, what is shifted, and what is fixed with what.
+/// needs   has_tray(scenario)
+float draw_tray(Ui& ui, const Rect& rect, const scenarios::Scenario& scenario);
 /// What is scored with its weights, and what caps the score.
 float draw_scoring(Ui& ui, const Rect& rect, const scenarios::Scenario& scenario);
 

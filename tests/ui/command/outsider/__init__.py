@@ -6,11 +6,14 @@ the three is wrong: the page, the program or this.
 
     export      the files of an attempt, read
     geometry    poses, planes, percentiles, distances
-    work        forces, the minding of the saw, times, order, break-throughs
+    solids      closed meshes and what a line meets of them
+    work        forces, the minding of the saw, times, break-throughs
+    order       order of the steps
     movement    low pass, smoothness, idling
     entries     entries into the bone
     zones       contacts with danger zones
     faces       kerfs, finished faces, wedge, closing, thickness
+    fixation    fragments, wires and screws
     recompute   all of them, by metric and subject; what is left out, and why
     points      from metrics to points, and from points to a score
 """

@@ -26,17 +26,20 @@ def needed_entries(export, kerf):
     """The passes that the section needs which the blade touched. It is that of the whole bone: what an earlier kerf took out of
     it changes its width along the teeth by less than a pass has to spare."""
     kerf_from_bone = export.kerfs[kerf].inverse()
-    width_mm, depth_mm = export.blade["width_mm"], export.blade["depth_mm"]
+    blade = export.blades_of_kerfs[kerf]
+    width_mm, depth_mm = blade["width_mm"], blade["depth_mm"]
     # In 20 ms the blade moves by a small part of its size.
-    blades = [kerf_from_bone.after(export.bone_from_tool(sample)) for sample in export.samples[::20]
-              if sample.kerf == kerf and sample.status & SAW_ON]
+    poses = [kerf_from_bone.after(export.bone_from_tool(sample)) for sample in export.samples[::20]
+             if sample.kerf == kerf and sample.status & SAW_ON]
+    frames = [(pose.place, pose.axis(0), pose.axis(1)) for pose in poses]
 
-    def is_under(pose, point):
-        x, y = (dot(sub(point, pose.place), pose.axis(axis)) for axis in (0, 1))
-        return -depth_mm <= x <= 0.0 and abs(y) <= 0.5 * width_mm
+    def is_under(frame, point):
+        place, x, y = frame
+        way = sub(point, place)
+        return -depth_mm <= dot(way, x) <= 0.0 and abs(dot(way, y)) <= 0.5 * width_mm
 
-    touched = [region for region in section_of(export.bone, kerf_from_bone, 0.5 * export.blade["kerf_mm"])
-               if any(is_under(pose, point) for pose in blades for point in region)]
+    touched = [region for region in section_of(export.bone, kerf_from_bone, 0.5 * blade["kerf_mm"])
+               if any(is_under(frame, point) for frame in frames for point in region)]
     across = [point[1] for region in touched for point in region]
     if not across:
         return 1

@@ -9,9 +9,11 @@ from outsider.geometry import Plane, pose_from_matrix, pose_from_quanta
 
 # docs/data_format.md, "For who recomputes": bits of a sample's status.
 RUNNING, SAW_ON, IN_CONTACT, CUTTING, IN_KERF, IRRIGATED = (1 << bit for bit in range(6))
+IN_BORE, DRIVE_ON, BORING = (1 << bit for bit in range(8, 11))
 # The same: kinds of events.
 STARTED, PLANE_FROZEN, BREAK_THROUGH, PIECE_REMOVED, STEP_DONE, FINISHED, HINGE_CLOSED, STEP_REOPENED = (
     1, 4, 6, 9, 10, 14, 17, 24)
+TOOL_CHOSEN, IMPLANT_TAKEN = 29, 40
 # Ticks that one line of the tape covers at most: what is further apart was not recorded between.
 TICKS_PER_LINE = 3
 
@@ -73,22 +75,28 @@ class Export:
         self.samples = [Sample(row) for row in self.rows("samples")]
         self.events = [Event(row) for row in self.rows("events")]
         self.bone_from_world = pose_from_matrix(self.plan["world_from_bone"]).inverse()
-        self.blade = self.plan["blade"]
+        # By place on the tray. Older programs knew one.
+        self.blades = self.plan.get("blades") or [self.plan["blade"]]
 
     @functools.cached_property
     def fragments(self):
         return json.loads((self.folder / "fragments.json").read_text())
 
-    def mesh_as_it_lies(self, body):
-        """Of an entry of fragments.json."""
-        pose = pose_from_matrix(body["pose"])
-        meshes = [read_ply(self.folder / file) for file in body["files"]]
-        points = [pose.point(point) for mesh in meshes for point in mesh.points]
-        triangles, first = [], 0
-        for mesh in meshes:
-            triangles += [tuple(corner + first for corner in triangle) for triangle in mesh.triangles]
-            first += len(mesh.points)
+    @functools.cached_property
+    def implants(self):
+        return json.loads((self.folder / "implants.json").read_text())
+
+    def mesh_as_cut(self, body):
+        """Of an entry of fragments.json, where it was before anything moved."""
+        points, triangles = [], []
+        for mesh in (read_ply(self.folder / file) for file in body["files"]):
+            triangles += [tuple(corner + len(points) for corner in triangle) for triangle in mesh.triangles]
+            points += mesh.points
         return Mesh(points, triangles)
+
+    def mesh_as_it_lies(self, body):
+        pose, mesh = pose_from_matrix(body["pose"]), self.mesh_as_cut(body)
+        return Mesh([pose.point(point) for point in mesh.points], mesh.triangles)
 
     def bodies_as_they_lie(self):
         return [self.mesh_as_it_lies(body) for body in self.fragments if not body["taken_out"]]
@@ -117,6 +125,27 @@ class Export:
     def kerfs(self):
         """bone_from_kerf of each, by number: z is the kerf's normal."""
         return [event.pose() for event in self.events if event.kind == PLANE_FROZEN]
+
+    @functools.cached_property
+    def blades_of_kerfs(self):
+        """The blade that began each, by number: the one in the hand, or last in it."""
+        blade, begun = self.blades[0], []
+        for event in self.events:
+            if event.kind == TOOL_CHOSEN and event.subject < len(self.blades):
+                blade = self.blades[event.subject]
+            if event.kind == PLANE_FROZEN:
+                begun.append(blade)
+        return begun
+
+    @functools.cached_property
+    def tools(self):
+        """The place on the tray of what is in the hand, sample by sample. An event of a tick acts before its sample."""
+        chosen, place, places = self.events_of(TOOL_CHOSEN), 0, []
+        for sample in self.samples:
+            while chosen and chosen[0].tick <= sample.tick:
+                place = chosen.pop(0).subject
+            places.append(place)
+        return places
 
     def bone_from_tool(self, sample):
         return self.bone_from_world.after(sample.world_from_tool())

@@ -7,6 +7,8 @@ from outsider.export import CUTTING, HINGE_CLOSED, PLANE_FROZEN, STEP_DONE, STEP
 from outsider.geometry import (Plane, add, angle_between, cross, dot, fitted_plane, length, percentile, scaled, sub)
 from outsider.work import break_throughs
 
+# Kinds of steps in which a planned face is sawn.
+SAWN = ("cut", "trim")
 # A wall is exact but for the rounding of the cut.
 ON_WALL_MM = 1e-6
 X = (1.0, 0.0, 0.0)
@@ -14,7 +16,7 @@ X = (1.0, 0.0, 0.0)
 
 def cut_at_hand(export, kerf):
     """ "Which face": the cut whose step was at hand when a tenth of the kerf's sawing was over."""
-    steps = {index: step["cut"] for index, step in enumerate(export.scenario["steps"]) if step["kind"] == "cut"}
+    steps = {index: step["cut"] for index, step in enumerate(export.scenario["steps"]) if step["kind"] in SAWN}
     told = [event for event in export.events if event.kind in (STEP_DONE, STEP_REOPENED) and event.subject in steps]
     if all(event.kind != STEP_DONE for event in told):
         return None
@@ -59,14 +61,14 @@ class Face:
     """The wall of one kerf on the side that the plan keeps, on the largest piece that has it."""
 
     def __init__(self, export, cut, kerf):
-        self.export, self.kerf = export, kerf
+        self.export, self.kerf, self.blade = export, kerf, export.blades_of_kerfs[kerf]
         self.bone_from_kerf = export.kerfs[kerf]
         self.side = -1.0 if dot(self.bone_from_kerf.axis(2), export.planned_plane(cut).normal) >= 0.0 else 1.0
         self.normal = scaled(self.bone_from_kerf.axis(2), -self.side)
-        self.wall_mm = self.side * 0.5 * export.blade["kerf_mm"]
-        self.piece, walls = next(((number, walls) for number, piece in enumerate(export.pieces)
-                                  if (walls := self.walls_on(piece))), (None, []))
-        self.nodes, self.step_mm = self.sampled(walls)
+        self.wall_mm = self.side * 0.5 * self.blade["kerf_mm"]
+        sampled = ((number, *self.sampled(self.walls_on(piece))) for number, piece in enumerate(export.pieces))
+        # What is too narrow for a sample, as where a hinge is divided, is no wall.
+        self.piece, self.nodes, self.step_mm = next((found for found in sampled if found[1]), (None, {}, 0.25))
         self.samples = [self.bone_from_kerf.point((u * self.step_mm, v * self.step_mm, height))
                         for (u, v), height in sorted(self.nodes.items())]
         self.area_mm2 = len(self.samples) * self.step_mm**2
@@ -92,14 +94,14 @@ class Face:
     @functools.cached_property
     def flatness_mm(self):
         """Row flatness_mm: taken from the blade, the ends and the middle of the tooth line."""
-        teeth = [(0.0, share * self.export.blade["width_mm"], 0.0) for share in (-0.5, 0.0, 0.5)]
+        teeth = [(0.0, share * self.blade["width_mm"], 0.0) for share in (-0.5, 0.0, 0.5)]
         points = []
         for sample in self.export.samples:
             if sample.kerf == self.kerf and sample.status & CUTTING:
                 bone_from_tool = self.export.bone_from_tool(sample)
                 points += [bone_from_tool.point(tooth) for tooth in teeth]
         plane = fitted_plane(points, X)
-        distances = [plane.height_mm(point) for point in points]
+        distances = plane.heights_mm(points)
         return percentile(distances, 0.975) - percentile(distances, 0.025)
 
     def thicknesses_mm(self):
@@ -208,26 +210,46 @@ def overhang_mm(export, cut, planned):
     return most
 
 
+def lies_along_bone(cut):
+    """Older programs knew faces of format 1 alone, and did not say it."""
+    return cut.get("along_bone", cut["kind"] == "along_axis")
+
+
+def is_sawn_as_planned(export, cut, kerfs):
+    """Row right_tool: where a blade is planned, each kerf was sawn with it."""
+    if cut.get("blade") is None:
+        return True
+    place = [blade["name"] for blade in export.blades].index(cut["blade"])
+    return all(tool == place for sample, tool in zip(export.samples, export.tools)
+               if sample.kerf in kerfs and sample.status & CUTTING)
+
+
+def exit_mm(cut, face, planned, towards):
+    """Row exit_mm: a cut across the bone without a hinge has none."""
+    if not lies_along_bone(cut) and cut["hinge"] is None:
+        return None
+    exit_ = cut["exit_in_bone_mm"]
+    return face.plane.way_mm(exit_, towards) - planned.way_mm(exit_, towards)
+
+
 def cut_metrics(export, name, faces, faces_of_cut):
     """The tables of "Faces" and "Silver"."""
     cut, planned, face = export.cut(name), export.planned_plane(name), faces[0]
-    is_along = cut["kind"] == "along_axis"
+    is_along = lies_along_bone(cut)
     towards = planned.normal if is_along else X
-    entry, exit_ = cut["entry_in_bone_mm"], cut["exit_in_bone_mm"]
+    entry, kerfs = cut["entry_in_bone_mm"], [each.kerf for each in faces]
     distances = [planned.height_mm(sample) for sample in face.samples]
     found = {"angle_deg": math.degrees(angle_between(face.plane.normal, planned.normal)),
              "location_mm": max(map(abs, distances)),
              "mean_mm": sum(map(abs, distances)) / len(distances),
              "rms_mm": math.sqrt(sum(distance**2 for distance in distances) / len(distances)),
              "entry_mm": face.plane.way_mm(entry, towards) - planned.way_mm(entry, towards),
-             "exit_mm": face.plane.way_mm(exit_, towards) - planned.way_mm(exit_, towards),
+             "exit_mm": exit_mm(cut, face, planned, towards),
              "flatness_mm": face.flatness_mm,
              "ledges_count": sum(is_ledge(face, other) for other in faces[1:])}
-    found["plunge_mm"], found["breakthrough_newton"], found["breakthrough_mm_s"] = break_throughs(
-        export, [each.kerf for each in faces])
+    found["plunge_mm"], found["breakthrough_newton"], found["breakthrough_mm_s"] = break_throughs(export, kerfs)
     found |= axis_metrics(export, cut, planned, face, faces_of_cut)
-    # One blade is laid out.
-    found["right_tool"] = 1
+    found["right_tool"] = 1 if is_sawn_as_planned(export, cut, kerfs) else 0
     if is_along:
         found |= resection_metrics(cut, planned, faces)
         found["overhang_mm"] = overhang_mm(export, cut, planned)

@@ -48,8 +48,10 @@ class Pose:
 
     def after(self, other):
         """a_from_b.after(b_from_c) is a_from_c."""
-        columns = [self.direction(other.axis(index)) for index in range(3)]
-        return Pose(tuple(zip(*columns)), self.point(other.place))
+        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = other.rows
+        rows = tuple((x * ax + y * bx + z * cx, x * ay + y * by + z * cy, x * az + y * bz + z * cz)
+                     for x, y, z in self.rows)
+        return Pose(rows, self.point(other.place))
 
     def inverse(self):
         back = Pose(tuple(zip(*self.rows)), (0.0, 0.0, 0.0))
@@ -80,6 +82,10 @@ class Plane:
 
     def height_mm(self, point):
         return dot(self.normal, point) - self.offset_mm
+
+    def heights_mm(self, points):
+        x, y, z = self.normal
+        return [x * point[0] + y * point[1] + z * point[2] - self.offset_mm for point in points]
 
     def way_mm(self, point, direction):
         """How far one goes from the point along a direction to meet the plane."""
@@ -120,33 +126,50 @@ def least_eigenvector(matrix):
     return tuple(row[least] for row in vectors)
 
 
-def least_squares_plane(points):
-    centre = scaled(tuple(math.fsum(axis) for axis in zip(*points)), 1 / len(points))
-    xx = yy = zz = xy = xz = yz = 0.0
-    for point in points:
-        x, y, z = point[0] - centre[0], point[1] - centre[1], point[2] - centre[2]
+def moments_about(origin, points):
+    """Count, sums of the ways from the origin, and of their squares and products."""
+    x0, y0, z0 = origin
+    sx = sy = sz = xx = yy = zz = xy = xz = yz = 0.0
+    for x, y, z in points:
+        x, y, z = x - x0, y - y0, z - z0
+        sx += x
+        sy += y
+        sz += z
         xx += x * x
         yy += y * y
         zz += z * z
         xy += x * y
         xz += x * z
         yz += y * z
-    normal = least_eigenvector(((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
-    return Plane(normal, dot(normal, centre))
+    return len(points), sx, sy, sz, xx, yy, zz, xy, xz, yz
+
+
+def least_squares_plane(origin, moments):
+    """The origin lies among the points, so that little is lost between their squares and those of the centre."""
+    count, sx, sy, sz, xx, yy, zz, xy, xz, yz = moments
+    x, y, z = sx / count, sy / count, sz / count
+    xy, xz, yz = xy - count * x * y, xz - count * x * z, yz - count * y * z
+    normal = least_eigenvector(((xx - count * x * x, xy, xz), (xy, yy - count * y * y, yz), (xz, yz, zz - count * z * z)))
+    return Plane(normal, dot(normal, add(origin, (x, y, z))))
 
 
 def fitted_plane(points, side):
-    """docs/metrics.md, "What is measured", Fitted plane."""
-    used = points
-    plane = least_squares_plane(used)
+    """docs/metrics.md, "What is measured", Fitted plane. Of those that are left out the moments are taken from all."""
+    origin = scaled(tuple(math.fsum(axis) for axis in zip(*points)), 1 / len(points))
+    of_all = moments_about(origin, points)
+    used, plane = range(len(points)), least_squares_plane(origin, of_all)
     for _ in range(20):
-        sigma_mm = math.sqrt(math.fsum(plane.height_mm(point) ** 2 for point in used) / len(used))
+        heights_mm = plane.heights_mm(points)
+        sigma_mm = math.sqrt(math.fsum(heights_mm[index] ** 2 for index in used) / len(used))
         if sigma_mm < 1e-9:
             break
-        kept = [point for point in points if abs(plane.height_mm(point)) <= 2.5 * sigma_mm]
+        limit_mm = 2.5 * sigma_mm
+        kept = [index for index, height_mm in enumerate(heights_mm) if -limit_mm <= height_mm <= limit_mm]
         if len(kept) == len(used):
             break
-        used, plane = kept, least_squares_plane(kept)
+        beyond = [point for point, height_mm in zip(points, heights_mm) if abs(height_mm) > limit_mm]
+        used, left_out = kept, moments_about(origin, beyond)
+        plane = least_squares_plane(origin, [whole - part for whole, part in zip(of_all, left_out)])
     return plane if dot(plane.normal, side) >= 0.0 else plane.turned()
 
 

@@ -3,12 +3,14 @@
 import cmath
 import math
 
-from outsider.export import CUTTING, IN_CONTACT, IN_KERF, RUNNING
+from outsider.export import BORING, CUTTING, IN_BORE, IN_CONTACT, IN_KERF, RUNNING
 from outsider.geometry import percentile
 
 TICK_S = 0.001
 CUTOFF_HZ = 10.0
 BEYOND_TICKS = 100
+# Bits of the status with which a movement is not free.
+NOT_FREE = IN_CONTACT | IN_KERF | IN_BORE
 
 
 def low_passed(values):
@@ -113,10 +115,10 @@ def log_dimensionless_jerk(speeds):
 def movement_metrics(export):
     stretches = stretches_of(export)
     movements = [stretch.speeds[first:last + 1] for stretch in stretches
-                 for first, last in stretch.runs(lambda speed, status: not status & (IN_CONTACT | IN_KERF) and speed >= 5.0)
+                 for first, last in stretch.runs(lambda speed, status: not status & NOT_FREE and speed >= 5.0)
                  if last - first + 1 >= 300]
     idle = [last - first + 1 for stretch in stretches
-            for first, last in stretch.runs(lambda speed, status: speed < 2.0 and not status & CUTTING)]
+            for first, last in stretch.runs(lambda speed, status: speed < 2.0 and not status & (CUTTING | BORING))]
     is_told = len(movements) >= 3
     return {("sparc", ""): percentile(map(spectral_arc_length, movements), 0.5) if is_told else None,
             ("ldlj", ""): percentile(map(log_dimensionless_jerk, movements), 0.5) if is_told else None,

@@ -41,7 +41,7 @@ def knots_for(item, device_class):
 
 def measurement_for(measurements, asked):
     """The one that an item or a gate asks for; nothing where it is not measured yet."""
-    keys = ("cut", "hinge", "zone")
+    keys = ("cut", "hinge", "zone", "fragment", "implant")
     return next((each for each in measurements if each["metric"] == asked["metric"] and
                  all((each[key] or "") == asked.get(key, "") for key in keys)), None)
 

@@ -1,9 +1,8 @@
-"""Forces, times, order and break-throughs: docs/metrics.md, "How the work was done" and "Faces"."""
+"""Forces, times and break-throughs: docs/metrics.md, "How the work was done" and "Faces"."""
 
 import math
 
-from outsider.export import (BREAK_THROUGH, CUTTING, FINISHED, HINGE_CLOSED, IN_CONTACT, IRRIGATED, PIECE_REMOVED, RUNNING,
-                             SAW_ON, STARTED, STEP_DONE)
+from outsider.export import BREAK_THROUGH, CUTTING, FINISHED, IN_CONTACT, IRRIGATED, RUNNING, SAW_ON, STARTED
 from outsider.geometry import distance_to_triangle, dot, length, percentile, sub
 
 WINDOW_TICKS = 20
@@ -79,37 +78,13 @@ def time_metrics(export):
             ("planning_s", ""): running_s(sawn[0]) if sawn else None}
 
 
-def step_tick(export, index, kerfs_of_cut):
-    """When a step was carried out; nothing where it was not."""
-    step = export.scenario["steps"][index]
-    if step["kind"] == "cut":
-        sawn = [sample.tick for sample in export.samples
-                if sample.status & CUTTING and sample.kerf in kerfs_of_cut[step["cut"]]]
-        return min(sawn, default=None)
-    if step["kind"] == "verify":
-        return max((event.tick for event in export.events_of(STEP_DONE) if event.subject == index), default=None)
-    kind = {"remove": PIECE_REMOVED, "close": HINGE_CLOSED, "finish": FINISHED}[step["kind"]]
-    return max((event.tick for event in export.events_of(kind)), default=None)
-
-
-def step_order(export, kerfs_of_cut):
-    """Row step_order: no step is required twice, so the longest common subsequence is the longest rising one."""
-    ticks = [step_tick(export, index, kerfs_of_cut) for index in range(len(export.scenario["steps"]))]
-    longest = []
-    for index, tick in enumerate(ticks):
-        before = [longest[other] for other in range(index) if ticks[other] is not None and tick is not None and
-                  ticks[other] <= tick]
-        longest.append(0 if tick is None else 1 + max(before, default=0))
-    return max(longest) / len(ticks)
-
-
 def break_throughs(export, kerfs):
     """Rows plunge_mm, breakthrough_newton, breakthrough_mm_s of "Faces": the worst of a cut's kerfs."""
     plunges, pushes, speeds = [0.0], [], []
-    teeth = [(0.0, side * 0.5 * export.blade["width_mm"], 0.0) for side in (-1, 1)]
     for event in export.events_of(BREAK_THROUGH):
         if event.subject not in kerfs:
             continue
+        teeth = [(0.0, side * 0.5 * export.blades_of_kerfs[event.subject]["width_mm"], 0.0) for side in (-1, 1)]
         before = [sample for sample in export.samples if event.tick - 20 <= sample.tick < event.tick]
         after = [sample for sample in export.samples if event.tick <= sample.tick <= event.tick + 200]
         then = export.bone_from_tool(after[0])

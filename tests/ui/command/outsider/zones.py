@@ -41,25 +41,27 @@ class Blade:
 class Watch:
     """One zone, sample by sample."""
 
-    def __init__(self, zone, blade):
-        self.zone, self.blade = zone, blade
+    def __init__(self, zone):
+        self.zone, self.blade = zone, None
         self.line = tuple(zone["from_in_bone_mm"]), tuple(zone["to_in_bone_mm"])
         self.contacts, self.ticks_within, self.least_mm = 0, 0, math.inf
         self.is_touched, self.away_ticks = False, 0
-        self.asked_corners, self.asked_mm = None, 0.0
+        # No further than it is.
+        self.known_mm = 0.0
 
-    def distance_mm(self, bone_from_tool, corners):
+    def hold(self, blade):
+        if blade is not self.blade:
+            self.blade, self.known_mm = blade, 0.0
+
+    def distance_mm(self, bone_from_tool, moved_mm):
         """Exact up to the margin of a contact. A rigid blade has moved no further than the corner that moved most, so further
         away a bound will do."""
-        if self.asked_corners:
-            moved_mm = max(length(sub(a, b)) for a, b in zip(corners, self.asked_corners))
-            if self.asked_mm - moved_mm > AWAY_MM:
-                return self.asked_mm - moved_mm
-        tool_from_bone = bone_from_tool.inverse()
-        self.asked_corners = corners
-        self.asked_mm = (self.blade.distance_of_line(*map(tool_from_bone.point, self.line)) -
-                         self.zone["radius_mm"] - self.blade.around_mm)
-        return self.asked_mm
+        self.known_mm -= moved_mm
+        if self.known_mm <= AWAY_MM:
+            tool_from_bone = bone_from_tool.inverse()
+            self.known_mm = (self.blade.distance_of_line(*map(tool_from_bone.point, self.line)) -
+                             self.zone["radius_mm"] - self.blade.around_mm)
+        return self.known_mm
 
     def follow(self, distance_mm, ticks):
         """`distance_mm` is infinite where the saw stands still."""
@@ -77,18 +79,22 @@ class Watch:
 
 
 def zone_metrics(export):
-    blade = Blade(export.blade)
-    watches = [Watch(zone, blade) for zone in export.plan["danger_zones"]]
-    last_tick = -1
-    for sample in export.samples:
+    """The saw is on where a saw is in the hand."""
+    blades = [Blade(blade) for blade in export.blades]
+    watches = [Watch(zone) for zone in export.plan["danger_zones"]]
+    last_tick, corners = -1, []
+    for sample, place in zip(export.samples, export.tools):
         ticks = min(max(sample.tick - last_tick, 0), TICKS_PER_LINE)
         last_tick = sample.tick
         runs = sample.status & RUNNING and sample.status & SAW_ON
         if runs:
-            bone_from_tool = export.bone_from_tool(sample)
-            corners = [bone_from_tool.point(corner) for corner in blade.corners]
+            bone_from_tool, before = export.bone_from_tool(sample), corners
+            corners = [bone_from_tool.point(corner) for corner in blades[place].corners]
+            moved_mm = max((length(sub(a, b)) for a, b in zip(corners, before)), default=0.0)
         for watch in watches:
-            watch.follow(watch.distance_mm(bone_from_tool, corners) if runs else math.inf, ticks)
+            if runs:
+                watch.hold(blades[place])
+            watch.follow(watch.distance_mm(bone_from_tool, moved_mm) if runs else math.inf, ticks)
     found = {}
     for watch in watches:
         name = watch.zone["name"]

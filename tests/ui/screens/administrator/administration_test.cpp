@@ -157,7 +157,7 @@ struct ScenarioFile {
 std::filesystem::path quick_scenario(database::SomeCourse& course, bool lists_impossible = false) {
   auto text = nlohmann::ordered_json::parse(scenarios::load_shipped_scenario("silver").text);
   text["name"] = "eminence";
-  text["patient"]["edge_mm"] = 1;
+  text["patient"]["bones"][0]["edge_mm"] = 1;
   text.erase("proof");
   if (lists_impossible) text["proof"] = {{{"fault", "dry"}, {"items", {"A1"}}}};
   std::filesystem::path path = course.database().directory() / "eminence.json";

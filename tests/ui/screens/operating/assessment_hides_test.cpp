@@ -96,9 +96,9 @@ TEST_P(HalfSawn, AnAssessmentShowsOnlyWhatASurgeonWouldHave) {
   expect_within(scenes_.shown, {"teeth on bone"});
   expect_within(at_teeth_, {"Clear of the bone", "On the bone", "In the bone"});
   EXPECT_THAT(at_teeth_, Contains("Clear of the bone"));
-  expect_within(read_outs_,
-                {"operate.time", "operate.step", "operate.reason", "operate.foot",
-                 "operate.saw.state", "operate.force", "operate.force.tip", "operate.ahead"});
+  expect_within(read_outs_, {"operate.time", "operate.step", "operate.reason", "operate.foot",
+                             "operate.saw.state", "operate.force", "operate.force.tip",
+                             "operate.ahead", "operate.tool"});
   expect_within(reasons_, {"The piece is still held."});
   for (const char* hidden : {"operate.panel.plan", "operate.panel.inset", "operate.hint"})
     EXPECT_FALSE(widgets_.contains(hidden)) << hidden;

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/ui/screens/every_size.h"
 #include "tests/ui/screens/no_patient.h"
 #include "tests/ui/screens/some_navigator.h"
@@ -16,6 +19,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+using testing::UnorderedElementsAre;
 
 /// A person who reads the briefing of the Akin, or of another operation.
 struct Briefed {
@@ -31,6 +35,29 @@ struct Briefed {
   PatientPictures pictures{no_patient};
   SomeVisitor visitor;
 };
+
+/// Another operation in the same course.
+database::ScenarioVersionId publish(SomePublished& published, const scenarios::Scenario& scenario) {
+  database::AdministratorDesk desk = published.course().administrator();
+  const database::ScenarioVersionId id =
+      desk.import_scenario({scenario.name, 100, scenario.text, false});
+  desk.publish_scenario(id);
+  return id;
+}
+
+/// Names of the tabs by what they say.
+std::map<std::string, std::string> tabs_of(const Driver& driver) {
+  std::map<std::string, std::string> tabs;
+  for (const Widget& widget : driver.content().widgets)
+    if (widget.id.starts_with("brief.tab.")) tabs[widget.label] = widget.id;
+  return tabs;
+}
+
+std::vector<std::string> tab_labels_of(const Driver& driver) {
+  std::vector<std::string> labels;
+  for (const auto& [label, id] : tabs_of(driver)) labels.push_back(label);
+  return labels;
+}
 
 std::string asked(const char* what, database::ScenarioVersionId scenario) {
   return std::string(what) + " " + std::to_string(scenario.number);
@@ -67,12 +94,63 @@ TEST(BriefingScreen, ShowsTheStepsAndWhatIsScored) {
   Briefed briefed(published);
   briefed.driver().click("brief.tab.1");
   EXPECT_TRUE(briefed.driver().sees("Take the wedge out"));
-  briefed.driver().click("brief.tab.2");
+  briefed.driver().click(tabs_of(briefed.driver())["Scoring"]);
   briefed.driver().resize(1600.0F, 1800.0F);
   for (const char* words :
        {"Accuracy", "Angle of the wedge", "Margin to the joint", "Smoothness of the free movements",
         "Lateral cortex cut through: at most 69 points", "from 60 points on"}) {
     EXPECT_TRUE(briefed.driver().sees(words)) << words;
+  }
+}
+
+TEST(BriefingScreen, LaysOutTheTrayAndSaysWhatIsShiftedAndFixedWithWhat) {
+  SomePublished published;
+  Briefed briefed(published, publish(published, scenarios::load_shipped_scenario("chevron")));
+  EXPECT_THAT(all_text(briefed.driver()), HasSubstr("What else is laid out stands under Tray"));
+  briefed.driver().click(tabs_of(briefed.driver())["Tray and fixation"]);
+  briefed.driver().resize(1600.0F, 1800.0F);
+  const std::string told = all_text(briefed.driver());
+  for (const char* words :
+       {"micro-sagittal 9 x 25 x 0.4, for Dorsal arm, Plantar arm",
+        "0.9, 1.1, 1.25, 1.4, 1.6, 2 mm", "1.1, 1.5, 1.8, 2, 2.5, 2.7, 3.2 mm thick",
+        "2.7 mm thick, 10 to 40 mm long", "Always at hand"})
+    EXPECT_THAT(told, HasSubstr(words)) << "on the tray";
+  for (const char* words :
+       {"Head to lateral", "Step 9", "5 mm to lateral", "Driven home until the faces touch"})
+    EXPECT_THAT(told, HasSubstr(words)) << "shifted";
+  for (const char* words :
+       {"Axis wire", "Wire 1.1 to 1.4 mm thick, 18 to 30 mm deep", "Wire of 1.1, 1.25, 1.4 mm",
+        "Head; 2 walls of cortex", "Comes out again", "Cannulated screw", "Step 11",
+        "Screw 2.5 to 3 mm thick, 20 to 24 mm long",
+        "Drill of 2 mm, then screw of 2.7 mm, 20, 22, 24 mm long",
+        "First metatarsal, Head; 1 wall of cortex", "joint surface of the head, by at least 2 mm"})
+    EXPECT_THAT(told, HasSubstr(words)) << "fixed";
+  EXPECT_TRUE(briefed.driver().has("brief.implant.screw")) << "keys come to each";
+}
+
+TEST(BriefingScreen, NamesTheOtherWayToFixWhereOneSuffices) {
+  SomePublished published;
+  Briefed briefed(published);
+  briefed.driver().click(tabs_of(briefed.driver())["Tray and fixation"]);
+  briefed.driver().resize(1600.0F, 1800.0F);
+  const std::string told = all_text(briefed.driver());
+  EXPECT_THAT(told, HasSubstr("Or instead"));
+  EXPECT_THAT(told, HasSubstr("Set two crossed wires"));
+  EXPECT_THAT(told, HasSubstr("Set the screw"));
+  EXPECT_THAT(told, Not(HasSubstr("What is shifted")));
+  EXPECT_THAT(told, Not(HasSubstr("Forceps")));
+}
+
+TEST(BriefingScreen, ASawAloneHasNoTray) {
+  SomePublished published;
+  for (const scenarios::Scenario& scenario :
+       {scenarios_test::format_1("silver"), scenarios_test::format_1("akin")}) {
+    Briefed briefed(published, publish(published, scenario));
+    EXPECT_THAT(tab_labels_of(briefed.driver()),
+                UnorderedElementsAre("Why and what", "Steps", "Scoring"));
+    EXPECT_THAT(all_text(briefed.driver()), HasSubstr("The saw: " + scenario.blade_name));
+    briefed.driver().click("brief.tab.2");
+    EXPECT_TRUE(briefed.driver().sees("Accuracy"));
   }
 }
 
@@ -133,6 +211,7 @@ TEST(BriefingScreen, SaysThatWhatIsSawnAfterDoneCounts) {
   SomePublished published;
   Briefed briefed(published);
   briefed.driver().click("brief.tab.1");
+  briefed.driver().resize(1440.0F, 1400.0F);
   EXPECT_THAT(all_text(briefed.driver()),
               HasSubstr("sawn in a cut after its Done counts as what was sawn before"));
 }
@@ -262,19 +341,30 @@ TEST(BriefingScreen, ABoneThatCannotBeBuiltIsSaidAndTheRestStays) {
   EXPECT_THAT(visitor.driver().faults(), IsEmpty());
 }
 
+/// Each tab at that scale, in the smallest window and in larger ones.
+void expect_nothing_cut_off(Briefed& briefed, float scale) {
+  Driver& driver = briefed.driver();
+  driver.resize(1440.0F * scale, 900.0F * scale);
+  for (const auto& [label, tab] : tabs_of(driver)) {
+    driver.resize(1440.0F * scale, 900.0F * scale);
+    driver.click(tab);
+    EXPECT_THAT(driver.faults(), IsEmpty()) << scale << label;
+    for (const auto& [width, height] :
+         {std::pair(1280.0F, 720.0F), std::pair(1280.0F, 800.0F), std::pair(3840.0F, 2160.0F)}) {
+      driver.resize(width, height);
+      EXPECT_THAT(driver.faults(), IsEmpty()) << scale << label << width;
+    }
+  }
+}
+
 TEST(BriefingScreen, NothingIsCutOffAtAnyScaleAndSize) {
   SomePublished published;
+  const database::ScenarioVersionId chevron =
+      publish(published, scenarios::load_shipped_scenario("chevron"));
   for (const float scale : {0.8F, 1.0F, 1.5F, 2.0F}) {
-    Briefed briefed(published, scale);
-    for (const char* tab : {"brief.tab.0", "brief.tab.1", "brief.tab.2"}) {
-      briefed.driver().resize(1440.0F * scale, 900.0F * scale);
-      briefed.driver().click(tab);
-      EXPECT_THAT(briefed.driver().faults(), IsEmpty()) << scale << tab;
-      for (const auto& [width, height] :
-           {std::pair(1280.0F, 720.0F), std::pair(3840.0F, 2160.0F)}) {
-        briefed.driver().resize(width, height);
-        EXPECT_THAT(briefed.driver().faults(), IsEmpty()) << scale << tab << width;
-      }
+    for (const database::ScenarioVersionId scenario : {published.akin(), chevron}) {
+      Briefed briefed(published, scenario, scale);
+      expect_nothing_cut_off(briefed, scale);
     }
   }
 }

@@ -16,7 +16,9 @@ namespace {
 using simulator::PointerMotion;
 
 constexpr double turn_rad_per_pixel = 0.0045, orbit_rad_per_pixel = 0.008;
-constexpr double push_mm_per_notch = 1.0, roll_rad_per_notch = 0.0175, zoom_per_notch = 1.1;
+/// A notch goes as far as a key press: hints count either alike.
+constexpr double push_mm_per_notch = key_step_mm, roll_rad_per_notch = key_turn_rad;
+constexpr double zoom_per_notch = 1.1;
 
 /// The way of the tip for a way of the pointer, in the view's plane.
 Vec2 way_across_mm(const Sight& sight, const Vec3& tip_in_world_mm, const Point& way) {

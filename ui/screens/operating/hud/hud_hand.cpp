@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "simulator/contact/heat_law.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/marks.h"
 #include "ui/widgets/texts/number_text.h"
@@ -57,8 +58,9 @@ void draw_left(Hud& in, const HudTool& held, const Rect& left) {
   Canvas& canvas = in.canvas();
   const std::string title = held.is_gripping ? in.text("operate.forceps") : held.title;
   const std::string runs = state_of(in, held);
-  canvas.text_in({left.x, left.y + 12.0F, left.w, 22.0F}, {Type::BodyStrong, in.theme().text},
-                 title);
+  const float heat_w = draw_hud_heat(in, {left.x, left.y + 12.0F, left.w, 22.0F});
+  canvas.text_in({left.x, left.y + 12.0F, left.w - heat_w, 22.0F},
+                 {Type::BodyStrong, in.theme().text}, title);
   canvas.text_in({left.x, left.y + 35.0F, left.w, 20.0F}, {Type::Small, in.theme().text_secondary},
                  held.is_gripping ? in.text("operate.forceps.led") : held.size);
   const float y = left.bottom() - 20.0F;
@@ -77,6 +79,21 @@ void draw_left(Hud& in, const HudTool& held, const Rect& left) {
 }
 
 }  // namespace
+
+float draw_hud_heat(Hud& in, const Rect& line) {
+  if (!in.hud.bone_celsius) return 0.0F;
+  const bool is_hot = *in.hud.bone_celsius > simulator::hot_celsius;
+  const std::string words =
+      in.ui.texts().say("operate.bone_heat", {{"celsius", fixed_text(*in.hud.bone_celsius, 0)}});
+  const float words_w = in.ui.width_of(Type::Small, words);
+  in.canvas().text({line.right() - words_w, line.mid_y()},
+                   {Type::Small, is_hot ? in.theme().warn_text : in.theme().text_secondary}, words);
+  in.ui.tell("operate.heat", words, line);
+  if (!is_hot) return words_w + 12.0F;
+  draw_meaning(in.canvas(), in.theme(), Meaning::Warn,
+               {line.right() - words_w - 12.0F, line.mid_y()}, 5.5F);
+  return words_w + 30.0F;
+}
 
 float draw_hud_switch(Hud& in, const char* id, Point right_middle, const char* label,
                       const char* key, bool& is_pressed) {

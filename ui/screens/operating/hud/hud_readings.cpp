@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulator/contact/heat_law.h"
 #include "ui/screens/operating/hud/hud_aims.h"
 #include "ui/screens/operating/hud/hud_hand.h"
 #include "ui/screens/operating/hud/hud_plan.h"
@@ -18,23 +17,6 @@ namespace {
 
 constexpr float tool_panel_width = 284.0F, force_panel_width = 240.0F, widest_plan = 700.0F;
 
-/// The hottest bone at the right of the line, with a sign from where bone suffers. Returns the
-/// width that it takes.
-float draw_heat(Hud& in, const Rect& line) {
-  if (!in.hud.bone_celsius) return 0.0F;
-  const bool is_hot = *in.hud.bone_celsius > simulator::hot_celsius;
-  const std::string words =
-      in.ui.texts().say("operate.bone_heat", {{"celsius", fixed_text(*in.hud.bone_celsius, 0)}});
-  const float words_w = in.ui.width_of(Type::Small, words);
-  in.canvas().text({line.right() - words_w, line.mid_y()},
-                   {Type::Small, is_hot ? in.theme().warn_text : in.theme().text_secondary}, words);
-  in.ui.tell("operate.heat", words, line);
-  if (!is_hot) return words_w + 12.0F;
-  draw_meaning(in.canvas(), in.theme(), Meaning::Warn,
-               {line.right() - words_w - 12.0F, line.mid_y()}, 5.5F);
-  return words_w + 30.0F;
-}
-
 void draw_tool(Hud& in, const Rect& rect) {
   const HudPanel panel(in, "operate.panel.tool", rect);
   Canvas& canvas = in.canvas();
@@ -47,7 +29,7 @@ void draw_tool(Hud& in, const Rect& rect) {
   const std::string blade = in.ui.texts().say(
       "operate.blade", {{"width", short_text(in.hud.saw.blade.width_mm)},
                         {"thickness", fixed_text(in.hud.saw.blade.thickness_mm, 2)}});
-  const float heat_w = draw_heat(in, {inner.x, rect.y + 35.0F, inner.w, 20.0F});
+  const float heat_w = draw_hud_heat(in, {inner.x, rect.y + 35.0F, inner.w, 20.0F});
   canvas.text_in({inner.x, rect.y + 35.0F, inner.w - heat_w, 20.0F},
                  {Type::Small, in.theme().text_secondary}, blade);
   const float y = rect.bottom() - 20.0F;

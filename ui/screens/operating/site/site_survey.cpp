@@ -23,6 +23,7 @@ HeldBone drawn(const scenarios::HeldCut& cut, const LiveCut& live) {
 
 std::vector<simulator::SolidWithTree> wholes_of(LiveCut& cut) {
   std::vector<simulator::SolidWithTree> wholes;
+  wholes.reserve(static_cast<std::size_t>(cut.fragment_count()));
   for (std::int32_t fragment = 0; fragment < cut.fragment_count(); ++fragment)
     wholes.push_back(cut.whole(fragment));
   return wholes;

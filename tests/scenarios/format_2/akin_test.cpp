@@ -5,6 +5,7 @@
 
 #include "scenarios/patient.h"
 #include "scenarios/steps/step_order.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/format_2/fixtures.h"
 
 namespace hallux::scenarios {
@@ -15,14 +16,14 @@ using scenarios_test::fixture_json;
 
 constexpr double rounding = 1.0e-11;
 
-class Akin2 : public testing::Test {
+class ShippedAkin : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    Scenario akin = load_shipped_scenario("akin");
+    Scenario akin = scenarios_test::format_1("akin");
     akin.patient.edge_mm = 1.0;
     bone = make_patient(akin);
     plan_of_format_1 = plan_on(akin, bone);
-    plan_of_format_2 = plan_on(scenarios_test::fixture("akin_2"), bone);
+    plan_of_format_2 = plan_on(scenarios_test::fixture("akin"), bone);
   }
   static void TearDownTestSuite() {
     bone = {};
@@ -33,7 +34,7 @@ class Akin2 : public testing::Test {
   inline static Plan plan_of_format_1, plan_of_format_2;
 };
 
-TEST_F(Akin2, HasThePlanesOfFormat1) {
+TEST_F(ShippedAkin, HasThePlanesOfFormat1) {
   ASSERT_EQ(plan_of_format_2.cuts.size(), 2U);
   for (std::size_t i = 0; i < 2; ++i) {
     const PlannedCut &cut = plan_of_format_2.cuts[i], &old = plan_of_format_1.cuts[i];
@@ -50,7 +51,7 @@ TEST_F(Akin2, HasThePlanesOfFormat1) {
   }
 }
 
-TEST_F(Akin2, HasTheHingeOfFormat1) {
+TEST_F(ShippedAkin, HasTheHingeOfFormat1) {
   ASSERT_EQ(plan_of_format_2.hinges.size(), 1U);
   const simulator::PlannedBridge &bridge = plan_of_format_2.hinges[0].bridge,
                                  &old = plan_of_format_1.hinges[0].bridge;
@@ -64,7 +65,7 @@ TEST_F(Akin2, HasTheHingeOfFormat1) {
             bridge.line.point_in_bone_mm);
 }
 
-TEST_F(Akin2, HoldsTheToeByAScrewOrByTwoWires) {
+TEST_F(ShippedAkin, HoldsTheToeByAScrewOrByTwoWires) {
   ASSERT_EQ(plan_of_format_2.fixation.implants.size(), 3U);
   for (const PlannedImplant& implant : plan_of_format_2.fixation.implants) {
     EXPECT_EQ(implant.engages, (std::vector<std::string>{"toe", "first_proximal_phalanx"}));
@@ -75,8 +76,8 @@ TEST_F(Akin2, HoldsTheToeByAScrewOrByTwoWires) {
   EXPECT_GT(screw.direction_in_bone.z, 0.0) << "medial to lateral";
 }
 
-TEST_F(Akin2, IsFixedByEitherAlternative) {
-  const Scenario scenario = scenarios_test::fixture("akin_2");
+TEST_F(ShippedAkin, IsFixedByEitherAlternative) {
+  const Scenario scenario = scenarios_test::fixture("akin");
   std::vector<bool> is_done(scenario.steps.size(), false);
   for (std::size_t step = 0; step < 5; ++step) {
     EXPECT_EQ(steps_at_hand(scenario, is_done), std::vector<std::size_t>{step});
@@ -93,11 +94,11 @@ TEST_F(Akin2, IsFixedByEitherAlternative) {
   }
 }
 
-TEST_F(Akin2, RefusesCutsThatLeaveNoWedgeBetweenThem) {
-  json altered = fixture_json("akin_2");
+TEST_F(ShippedAkin, RefusesCutsThatLeaveNoWedgeBetweenThem) {
+  json altered = fixture_json("akin");
   altered["cuts"][1]["keep"] = "proximal";
   EXPECT_EQ(scenarios_test::plan_refusal_of(altered, bone),
-            "akin_2: hinges[0] \"lateral_hinge\": \"proximal_face\" and \"distal_face\" keep the "
+            "akin: hinges[0] \"lateral_hinge\": \"proximal_face\" and \"distal_face\" keep the "
             "same side, and no wedge lies between them; mend keep");
 }
 
@@ -123,8 +124,8 @@ void ask_nothing_of_fixation(json& rubric) {
   }
 }
 
-TEST_F(Akin2, MayHaveSeveralHinges) {
-  json two = fixture_json("akin_2");
+TEST_F(ShippedAkin, MayHaveSeveralHinges) {
+  json two = fixture_json("akin");
   json first = two["cuts"][0], second = two["cuts"][1], hinge = two["hinges"][0];
   first["name"] = "other_first";
   first["face"]["through"] = "other_level";

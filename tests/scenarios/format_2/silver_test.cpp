@@ -2,17 +2,18 @@
 #include <gtest/gtest.h>
 
 #include "scenarios/patient.h"
+#include "tests/scenarios/format_1/format_1.h"
 #include "tests/scenarios/format_2/fixtures.h"
 
 namespace hallux::scenarios {
 namespace {
 
-TEST(Silver2, HasThePlaneOfFormat1) {
-  Scenario silver = load_shipped_scenario("silver");
+TEST(ShippedSilver, HasThePlaneOfFormat1) {
+  Scenario silver = scenarios_test::format_1("silver");
   silver.patient.edge_mm = 1.0;
   const simulator::Bone bone = make_patient(silver);
   const PlannedCut old = plan_on(silver, bone).cuts[0];
-  const PlannedCut cut = plan_on(scenarios_test::fixture("silver_2"), bone).cuts[0];
+  const PlannedCut cut = plan_on(scenarios_test::fixture("silver"), bone).cuts[0];
   constexpr double rounding = 1.0e-11;
   EXPECT_EQ(cut.name, old.name);
   EXPECT_LT(length_of(cut.face.normal - old.face.normal), rounding);
