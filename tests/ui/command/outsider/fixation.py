@@ -51,7 +51,10 @@ class Site:
 
     def __init__(self, export):
         self.export = export
-        self.bodies = [Body(export, told) for told in export.fragments if not told["taken_out"]]
+
+    @functools.cached_property
+    def bodies(self):
+        return [Body(self.export, told) for told in self.export.fragments if not told["taken_out"]]
 
     @functools.cached_property
     def outer(self):
@@ -166,13 +169,13 @@ def is_fixed(site, name):
     return is_crossed or any(placed.told["kind"] == "screw" for placed in through)
 
 
-def assigned(site):
+def assigned(site, implants):
     """By the name of the planned one: what lies there stands for that of its kind whose two ends are nearest."""
     def ends_off_mm(placed, planned):
         ends = (placed.entry, planned["entry_in_bone_mm"]), (placed.tip, planned["tip_in_bone_mm"])
         return sum(length(sub(lies, wanted)) for lies, wanted in ends)
 
-    pairs = [(ends_off_mm(placed, planned), placed, planned["name"]) for planned in site.export.plan["implants"]
+    pairs = [(ends_off_mm(placed, planned), placed, planned["name"]) for planned in implants
              for placed in site.placed if planned["kind"] == placed.told["kind"]]
     found = {}
     for _, placed, name in sorted(pairs, key=lambda pair: pair[0]):
@@ -221,14 +224,14 @@ def group_metrics(steps, by_name):
     return worst_of([by_name[name] for name in done["implants"]]) if all(is_set(done)) else None
 
 
-def metrics_of_implants(site, planned):
+def metrics_of_implants(site, implants):
     """Of each by its name, and of each group of alternative steps by its; None where it was not set."""
-    placed = assigned(site)
+    placed = assigned(site, implants)
     by_name = {each["name"]: implant_metrics(placed[each["name"]], each) if each["name"] in placed else None
-               for each in planned}
+               for each in implants}
     groups = {}
     for step in site.export.scenario["steps"]:
-        if step.get("implants") and step.get("one_of"):
+        if implants and step.get("implants") and step.get("one_of"):
             groups.setdefault(step["one_of"], []).append(step)
     return by_name | {group: group_metrics(steps, by_name) for group, steps in groups.items()}
 

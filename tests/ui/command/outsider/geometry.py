@@ -148,8 +148,9 @@ def least_squares_plane(origin, moments):
     """The origin lies among the points, so that little is lost between their squares and those of the centre."""
     count, sx, sy, sz, xx, yy, zz, xy, xz, yz = moments
     x, y, z = sx / count, sy / count, sz / count
-    xy, xz, yz = xy - count * x * y, xz - count * x * z, yz - count * y * z
-    normal = least_eigenvector(((xx - count * x * x, xy, xz), (xy, yy - count * y * y, yz), (xz, yz, zz - count * z * z)))
+    xx, yy, zz = xx - sx * x, yy - sy * y, zz - sz * z
+    xy, xz, yz = xy - sx * y, xz - sx * z, yz - sy * z
+    normal = least_eigenvector(((xx, xy, xz), (xy, yy, yz), (xz, yz, zz)))
     return Plane(normal, dot(normal, add(origin, (x, y, z))))
 
 
