@@ -1,9 +1,11 @@
-/// The time that samples cover, and stretches of them. Inside this room only.
+/// The time that samples cover, and stretches of them; when an event was said last.
+/// Inside this room only.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "simulator/record/record.h"
@@ -13,6 +15,19 @@ namespace hallux::assessment {
 /// 0 where nothing was sampled.
 inline std::int64_t last_tick_of(const simulator::Recording& recording) noexcept {
   return recording.samples.empty() ? 0 : recording.samples.back().tick;
+}
+
+/// Of the events of that kind, about that subject where one is asked for; nothing where there is
+/// none.
+inline std::optional<std::int64_t> last_tick_of(const simulator::Recording& recording,
+                                                simulator::CutEventKind kind,
+                                                std::optional<std::size_t> subject = {}) noexcept {
+  std::optional<std::int64_t> tick;
+  for (const simulator::CutEvent& event : recording.events) {
+    const bool is_about = !subject || event.subject == static_cast<std::int32_t>(*subject);
+    if (event.kind == kind && is_about) tick = event.tick;
+  }
+  return tick;
 }
 
 /// The ticks that a sample covers: those since the one before, where no more were missed than one

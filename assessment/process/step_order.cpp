@@ -17,15 +17,6 @@ using scenarios::StepKind;
 using simulator::CutEvent;
 using simulator::CutEventKind;
 
-std::optional<std::int64_t> last_tick_of(const Evidence& evidence, CutEventKind kind,
-                                         std::optional<std::int32_t> subject = {}) {
-  std::optional<std::int64_t> tick;
-  for (const CutEvent& event : evidence.recording.events) {
-    if (event.kind == kind && (!subject || event.subject == *subject)) tick = event.tick;
-  }
-  return tick;
-}
-
 std::optional<std::int64_t> sawn_tick(const Evidence& evidence, const std::string& cut) {
   std::optional<std::int64_t> tick;
   for (const CutFace& face : evidence.faces[index_of_cut(evidence.plan, cut)]) {
@@ -38,10 +29,9 @@ std::optional<std::int64_t> sawn_tick(const Evidence& evidence, const std::strin
 
 /// The last piece that was taken out; where steps have their own ids, before the step was done.
 std::optional<std::int64_t> removed_tick(const Evidence& evidence, std::size_t index) {
-  const auto last = last_tick_of(evidence, CutEventKind::PieceRemoved);
+  const auto last = last_tick_of(evidence.recording, CutEventKind::PieceRemoved);
   if (evidence.scenario.format == 1) return last;
-  const auto done =
-      last_tick_of(evidence, CutEventKind::StepDone, static_cast<std::int32_t>(index));
+  const auto done = last_tick_of(evidence.recording, CutEventKind::StepDone, index);
   std::optional<std::int64_t> tick;
   for (const CutEvent& event : evidence.recording.events) {
     if (event.kind == CutEventKind::PieceRemoved && done && event.tick <= *done) tick = event.tick;
@@ -58,11 +48,11 @@ std::optional<std::int64_t> tick_of(const Evidence& evidence, std::size_t index)
     case StepKind::Remove:
       return removed_tick(evidence, index);
     case StepKind::Close:
-      return last_tick_of(evidence, CutEventKind::HingeClosed);
+      return last_tick_of(evidence.recording, CutEventKind::HingeClosed);
     case StepKind::Finish:
-      return last_tick_of(evidence, CutEventKind::Finished);
+      return last_tick_of(evidence.recording, CutEventKind::Finished);
     default:
-      return last_tick_of(evidence, CutEventKind::StepDone, static_cast<std::int32_t>(index));
+      return last_tick_of(evidence.recording, CutEventKind::StepDone, index);
   }
 }
 
@@ -103,13 +93,11 @@ std::vector<bool> kept_of(const StepTicks& ticks) {
 std::vector<bool> not_required(const scenarios::Scenario& scenario, const StepTicks& ticks) {
   std::vector<bool> is_not(ticks.size(), false);
   for (std::size_t step = 0; step < ticks.size(); ++step) {
-    const OperationStep& one = scenario.steps[step];
     if (ticks[step]) continue;
-    is_not[step] = one.is_optional;
-    for (std::size_t other = 0; other < ticks.size() && !one.one_of.empty(); ++other) {
-      const bool stands_for_it = ticks[other].has_value() || other < step;
-      if (stands_for_it && scenario.steps[other].one_of == one.one_of) is_not[step] = true;
-    }
+    const std::vector<std::size_t> group = scenarios::alternatives_of(scenario, step);
+    is_not[step] =
+        scenario.steps[step].is_optional || group.front() != step ||
+        std::ranges::any_of(group, [&](std::size_t each) { return ticks[each].has_value(); });
   }
   return is_not;
 }

@@ -1,12 +1,12 @@
 #include "assessment/process/tool_path.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "assessment/process/place_track.h"
+#include "assessment/process/sample_spans.h"
 #include "assessment/process/tool_place.h"
 #include "scenarios/hands/planned_strokes.h"
 
@@ -14,62 +14,53 @@ namespace hallux::assessment {
 
 namespace {
 
-using scenarios::OperationStep;
 using simulator::TapeLine;
 using simulator::ToolSample;
 
 /// From place to place where a tool goes into bone; at each to the end and back.
 class ShortestWay {
  public:
-  ShortestWay(const Evidence& evidence, const Vec3& from_in_bone_mm)
-      : scenario_(evidence.scenario),
-        fixation_(evidence.plan.fixation),
-        strokes_(planned_strokes(evidence.scenario, evidence.bone, evidence.plan)),
-        place_mm_(from_in_bone_mm) {
-    std::size_t stroke = 0;
-    for (std::size_t index = 0; index < scenario_.steps.size(); ++index) {
-      const OperationStep& step = scenario_.steps[index];
-      if (is_done(evidence.recording, index)) bore(step);
-      const std::size_t cut = is_sawn(step) ? index_of_cut(evidence.plan, step.cut) : none;
-      for (; stroke < strokes_.size() && strokes_[stroke].cut == cut; ++stroke)
-        go_in(strokes_[stroke].bone_from_tool(strokes_[stroke].first_mm).translation_mm,
-              strokes_[stroke].last_mm - strokes_[stroke].first_mm);
-    }
-  }
-
-  double length_mm() const noexcept { return way_mm_; }
-
- private:
-  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  explicit ShortestWay(const Vec3& from_in_bone_mm) : place_mm_(from_in_bone_mm) {}
 
   void go_in(const Vec3& begin_mm, double depth_mm) {
-    way_mm_ += length_of(begin_mm - place_mm_) + 2.0 * depth_mm;
+    length_mm_ += length_of(begin_mm - place_mm_) + 2.0 * depth_mm;
     place_mm_ = begin_mm;
   }
+  double length_mm() const noexcept { return length_mm_; }
 
-  /// Whoever leaves something out has no shorter way for it.
-  static bool is_done(const simulator::Recording& recording, std::size_t step) {
-    return std::ranges::any_of(recording.events, [&](const simulator::CutEvent& event) {
-      return event.kind == simulator::CutEventKind::StepDone &&
-             event.subject == static_cast<std::int32_t>(step);
-    });
-  }
+ private:
+  Vec3 place_mm_;
+  double length_mm_ = 0.0;
+};
 
-  /// A wire is driven; for a screw is drilled before.
-  void bore(const OperationStep& step) {
+/// A wire is driven; for a screw is drilled before.
+int passes_of(const scenarios::PlannedImplant& implant) noexcept {
+  return implant.kind == scenarios::ImplantKind::Screw ? 2 : 1;
+}
+
+/// What a step sets counts where the step was done: whoever leaves it out has no shorter way for
+/// it.
+double shortest_mm(const Evidence& evidence, const Vec3& from_in_bone_mm) {
+  const auto strokes = planned_strokes(evidence.scenario, evidence.bone, evidence.plan);
+  auto stroke = strokes.begin();
+  ShortestWay way(from_in_bone_mm);
+  for (std::size_t index = 0; index < evidence.scenario.steps.size(); ++index) {
+    const scenarios::OperationStep& step = evidence.scenario.steps[index];
+    if (is_sawn(step)) {
+      const std::size_t cut = index_of_cut(evidence.plan, step.cut);
+      for (; stroke != strokes.end() && stroke->cut == cut; ++stroke)
+        way.go_in(stroke->bone_from_tool(stroke->first_mm).translation_mm,
+                  stroke->last_mm - stroke->first_mm);
+    }
+    if (!last_tick_of(evidence.recording, simulator::CutEventKind::StepDone, index)) continue;
     for (const std::string& name : step.implants) {
-      const scenarios::PlannedImplant& implant = *find_implant(fixation_, name);
-      const int passes = implant.kind == scenarios::ImplantKind::Screw ? 2 : 1;
-      for (int pass = 0; pass < passes; ++pass) go_in(implant.entry_in_bone_mm, implant.length_mm);
+      const scenarios::PlannedImplant& implant = *find_implant(evidence.plan.fixation, name);
+      for (int pass = 0; pass < passes_of(implant); ++pass)
+        way.go_in(implant.entry_in_bone_mm, implant.length_mm);
     }
   }
-
-  const scenarios::Scenario& scenario_;
-  const scenarios::PlannedFixation& fixation_;
-  std::vector<scenarios::PlannedStroke> strokes_;
-  Vec3 place_mm_;
-  double way_mm_ = 0.0;
-};
+  return way.length_mm();
+}
 
 double length_mm(const PlaceStretch& stretch) {
   double way_mm = 0.0;
@@ -123,7 +114,7 @@ std::optional<Finding> measure_path_ratio(const Evidence& evidence, const simula
   };
   const std::optional<Way> way = way_along(followed_places(evidence.recorded(), tip_near_bone));
   if (!way) return std::nullopt;
-  const double plan_mm = ShortestWay(evidence, way->from_in_bone_mm).length_mm();
+  const double plan_mm = shortest_mm(evidence, way->from_in_bone_mm);
   if (!(plan_mm > 0.0)) return std::nullopt;
   const double coarse_mm = length_mm(followed_places(evidence.recorded(), tip_near_bone, 2));
   const double bound_mm = std::abs(way->length_mm - coarse_mm) + way->ends_bound_mm;

@@ -80,10 +80,8 @@ class Needs {
 };
 
 bool is_group_done(const Scenario& scenario, std::size_t step, const std::vector<bool>& is_done) {
-  if (is_done[step]) return true;
-  const std::string& group = scenario.steps[step].one_of;
-  return !group.empty() && std::ranges::any_of(named_by(scenario.steps, group),
-                                               [&](std::size_t other) { return is_done[other]; });
+  return std::ranges::any_of(alternatives_of(scenario, step),
+                             [&](std::size_t each) { return is_done[each]; });
 }
 
 /// Which steps have all behind them that they come after.
@@ -235,6 +233,11 @@ void check_ends_of_order(const Scenario& scenario, const Before& before, Needs& 
 }
 
 }  // namespace
+
+std::vector<std::size_t> alternatives_of(const Scenario& scenario, std::size_t step) {
+  const std::string& group = scenario.steps[step].one_of;
+  return group.empty() ? std::vector{step} : named_by(scenario.steps, group);
+}
 
 std::vector<std::size_t> steps_at_hand(const Scenario& scenario, const std::vector<bool>& is_done) {
   const Before before = before_each(scenario);

@@ -10,6 +10,9 @@
 
 namespace hallux::scenarios {
 
+/// The step and the others of its group, of which one suffices, ascending.
+std::vector<std::size_t> alternatives_of(const Scenario& scenario, std::size_t step);
+
 /// Which steps may be done next, ascending, when those are done. A step is at hand when all that it
 /// comes after is done, or was optional and is passed over; no longer when another alternative of
 /// its group is done, or a step that comes after it.

@@ -43,6 +43,13 @@ PlannedImplant along(ImplantKind kind, const std::string& name, double y_mm, dou
   return planned;
 }
 
+/// A wire along the bar, 1 mm off its middle to both sides.
+scenarios::Plan plan_of_a_pin() {
+  scenarios::Plan plan = plan_of_the_end();
+  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  return plan;
+}
+
 class Fixed : public SawnBar {
  protected:
   using SawnBar::SawnBar;
@@ -138,8 +145,7 @@ TEST_F(Fixed, AWireAgainstItsPlan) {
 TEST_F(Fixed, ATipStandsOutOfTheSkinThatItWentThrough) {
   lead({0.0, 0.0, 0.0});
   set_wire(1.0, 1.0, -18.0);
-  scenarios::Plan plan = plan_of_the_end();
-  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  scenarios::Plan plan = plan_of_a_pin();
   measure(plan);
   EXPECT_NEAR(value("protrusion_mm", "pin"), 3.0, 0.3);
   EXPECT_EQ(value("cortices", "pin"), 2.0);
@@ -161,8 +167,7 @@ scenarios::PlannedJointSurface joint_at_the_end(const simulator::IndexedMesh& ou
 TEST_F(Fixed, ATipThatWentThroughAJointSurfaceIsNotClearOfIt) {
   lead({0.0, 0.0, 0.0});
   set_wire(1.0, 1.0, -8.0);
-  scenarios::Plan plan = plan_of_the_end();
-  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  scenarios::Plan plan = plan_of_a_pin();
   plan.joint_surfaces = {joint_at_the_end(bone_.outer)};
   ASSERT_EQ(plan.joint_surfaces[0].triangles.size(), 2U);
   measure(plan);
@@ -191,8 +196,7 @@ class FixedInAHollowBar : public Fixed {
 TEST_F(FixedInAHollowBar, ATipInTheCanalDoesNotStandOut) {
   lead({0.0, 0.0, 0.0});
   set_wire(1.0, 1.0, -8.0);
-  scenarios::Plan plan = plan_of_the_end();
-  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  scenarios::Plan plan = plan_of_a_pin();
   measure(plan);
   EXPECT_EQ(value("protrusion_mm", "pin"), 0.0);
   EXPECT_EQ(value("cortices", "pin"), 1.0);
@@ -201,8 +205,7 @@ TEST_F(FixedInAHollowBar, ATipInTheCanalDoesNotStandOut) {
 TEST_F(Fixed, AWireOfAnotherDiameterIsNotTheRightTool) {
   lead({0.0, 0.0, 0.0});
   set_wire(1.0, 1.0);
-  scenarios::Plan plan = plan_of_the_end();
-  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  scenarios::Plan plan = plan_of_a_pin();
   plan.fixation.implants[0].diameters = {1.1, 1.4};
   measure(plan);
   EXPECT_EQ(value("right_tool", "pin"), 0.0);
@@ -213,8 +216,7 @@ TEST_F(Fixed, ATryThatWasTakenOutCountsAndTheLastOneIsMeasured) {
   set_wire(1.0, 1.0);
   take(0);
   set_wire(-1.0, -1.0);
-  scenarios::Plan plan = plan_of_the_end();
-  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  scenarios::Plan plan = plan_of_a_pin();
   measure(plan);
   EXPECT_EQ(value("insertions", "pin"), 2.0);
   EXPECT_NEAR(value("entry_mm", "pin"), 2.0 * std::sqrt(2.0), 0.02);
@@ -228,8 +230,7 @@ TEST_F(Fixed, WhatWasToComeOutAgainIsMeasuredAsItWasLeft) {
   lead({0.0, 0.0, 0.0});
   set_wire(1.0, 1.0);
   take(0);
-  scenarios::Plan plan = plan_of_the_end();
-  plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
+  scenarios::Plan plan = plan_of_a_pin();
   measure(plan);
   EXPECT_EQ(find("entry_mm", "pin").absence, Absence::NotDone) << "it was to stay";
   plan.fixation.implants[0].is_temporary = true;

@@ -97,26 +97,26 @@ class ChevronHistory : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     const EmbeddedText& file = scenarios_test::replayed_scenarios().front();
-    operated_ = std::make_unique<Operated>(scenarios::parse_scenario(file.text, file.name));
-    history_ = operated_->history_of(operated_->recording);
+    shared_operated = std::make_unique<Operated>(scenarios::parse_scenario(file.text, file.name));
+    shared_history = shared_operated->history_of(shared_operated->recording);
   }
   static void TearDownTestSuite() {
-    history_.reset();
-    operated_.reset();
+    shared_history.reset();
+    shared_operated.reset();
   }
 
   BoneMoment moment_at(std::int64_t tick) const {
-    BoneMoment moment(*history_);
+    BoneMoment moment(*shared_history);
     moment.move_to(tick);
     return moment;
   }
-  const Operated& operated() const { return *operated_; }
-  const BoneHistory& history() const { return *history_; }
-  std::int64_t last_tick() const { return operated_->recording.samples.back().tick; }
+  const Operated& operated() const { return *shared_operated; }
+  const BoneHistory& history() const { return *shared_history; }
+  std::int64_t last_tick() const { return shared_operated->recording.samples.back().tick; }
 
  private:
-  static inline std::unique_ptr<Operated> operated_;
-  static inline std::shared_ptr<const BoneHistory> history_;
+  static inline std::unique_ptr<Operated> shared_operated;
+  static inline std::shared_ptr<const BoneHistory> shared_history;
 };
 
 TEST_F(ChevronHistory, EndsWithTheBodiesThatScoringRebuilds) {

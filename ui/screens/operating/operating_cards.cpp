@@ -96,23 +96,13 @@ std::string stop_text(const Ui& ui, const OperatingSession::Stop& stop) {
   return std::string(ui.text("operate.stopped.unknown"));
 }
 
-using Steps = std::vector<scenarios::OperationStep>;
-
-/// Of a group of alternatives each index, else the step's alone.
-std::vector<std::size_t> alternatives_of(const Steps& steps, std::size_t step) {
-  if (steps[step].one_of.empty()) return {step};
-  std::vector<std::size_t> group;
-  for (std::size_t i = 0; i < steps.size(); ++i)
-    if (steps[i].one_of == steps[step].one_of) group.push_back(i);
-  return group;
-}
-
 /// What must be done and is not: titles, of alternatives of which none is done "X or Y".
-std::vector<std::string> undone_titles(const Texts& texts, const Steps& steps,
+std::vector<std::string> undone_titles(const Texts& texts, const scenarios::Scenario& scenario,
                                        const std::vector<bool>& is_done) {
+  const std::vector<scenarios::OperationStep>& steps = scenario.steps;
   std::vector<std::string> titles;
   for (std::size_t step = 0; step < steps.size(); ++step) {
-    const std::vector<std::size_t> group = alternatives_of(steps, step);
+    const std::vector<std::size_t> group = alternatives_of(scenario, step);
     const bool is_told_before = group.front() != step;
     if (steps[step].is_optional || is_told_before) continue;
     if (std::ranges::any_of(group, [&](std::size_t each) { return is_done[each]; })) continue;
@@ -134,7 +124,7 @@ std::string left_steps_text(const Texts& texts, const scenarios::Scenario& scena
     is_done.push_back(progress.is_done(step) ||
                       scenario.steps[step].kind == scenarios::StepKind::Finish);
   if (is_all_done(scenario, is_done)) return std::string(texts.text("operate.ask.finish.all"));
-  const std::vector<std::string> titles = undone_titles(texts, scenario.steps, is_done);
+  const std::vector<std::string> titles = undone_titles(texts, scenario, is_done);
   const std::size_t named = std::min(titles.size(), most_steps_named);
   std::string list = titles.front();
   for (std::size_t i = 1; i < named; ++i) list += ", " + titles[i];

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <variant>
 
+#include "scenarios/steps/step_order.h"
 #include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/units.h"
 #include "ui/screens/parts/value_text.h"
@@ -132,10 +133,10 @@ std::string step_text(const Texts& texts, const Scenario& scenario,
 
 /// The other steps of its group, of which one suffices; empty where it has none.
 std::string instead_of(const Scenario& scenario, const scenarios::OperationStep& step) {
+  const auto own = static_cast<std::size_t>(&step - scenario.steps.data());
   std::vector<std::string> others;
-  for (const scenarios::OperationStep& other : scenario.steps)
-    if (&other != &step && !step.one_of.empty() && other.one_of == step.one_of)
-      others.push_back(other.title);
+  for (const std::size_t other : alternatives_of(scenario, own))
+    if (other != own) others.push_back(scenario.steps[other].title);
   return listed(others);
 }
 

@@ -53,19 +53,27 @@ std::string state_of(const Hud& in, const HudTool& held) {
                            {{"rate", grouped(std::lround(held.rate_per_minute))}});
 }
 
-/// Title, size and state; and the drive's own switch below them.
-void draw_left(Hud& in, const HudTool& held, const Rect& left) {
+Rect shortened(Rect line, float by) noexcept {
+  line.w -= by;
+  return line;
+}
+
+/// Title, size and state; and where there is room the drive's own switch below them.
+void draw_left(Hud& in, const HudTool& held, const Rect& left, bool is_narrow) {
   Canvas& canvas = in.canvas();
   const std::string title = held.is_gripping ? in.text("operate.forceps") : held.title;
   const std::string runs = state_of(in, held);
-  const float heat_w = draw_hud_heat(in, {left.x, left.y + 12.0F, left.w, 22.0F});
-  canvas.text_in({left.x, left.y + 12.0F, left.w - heat_w, 22.0F},
+  const Rect title_line{left.x, left.y + 12.0F, left.w, 22.0F};
+  const Rect size_line{left.x, left.y + 35.0F, left.w, 20.0F};
+  const float heat_w = draw_hud_heat(in, is_narrow ? size_line : title_line);
+  canvas.text_in(shortened(title_line, is_narrow ? 0.0F : heat_w),
                  {Type::BodyStrong, in.theme().text}, title);
-  canvas.text_in({left.x, left.y + 35.0F, left.w, 20.0F}, {Type::Small, in.theme().text_secondary},
-                 held.is_gripping ? in.text("operate.forceps.led") : held.size);
+  canvas.text_in(shortened(size_line, is_narrow ? heat_w : 0.0F),
+                 {Type::Small, in.theme().text_secondary},
+                 held.is_gripping ? in.text("operate.forceps.led") : held.size, is_narrow);
   const float y = left.bottom() - 20.0F;
   float used = 0.0F;
-  if (!held.is_gripping) {
+  if (!held.is_gripping && !is_narrow) {
     used = draw_hud_switch(in, "operate.saw", {left.right(), y},
                            in.hud.is_saw_on ? "operate.saw.stop" : "operate.saw.start", "key.space",
                            in.answer.saw);
@@ -118,7 +126,8 @@ void draw_hud_hand(Hud& in, const Rect& rect) {
                                               *each.is_pressed));
     y += switch_line;
   }
-  draw_left(in, held, {inner.x, rect.y, inner.w - widest - 8.0F, rect.h});
+  draw_left(in, held, {inner.x, rect.y, inner.w - widest - 8.0F, rect.h},
+            rect.w < hand_panel_width);
 }
 
 }  // namespace hallux::ui

@@ -6,7 +6,9 @@
 
 namespace hallux::ui {
 
-inline constexpr float hand_panel_width = 408.0F;
+/// In less than the first the drive has no button of its own (the space bar and a click lead it),
+/// and the tool's size may be shortened.
+inline constexpr float hand_panel_width = 408.0F, narrow_hand_panel_width = 284.0F;
 
 /// needs   a tool is held
 void draw_hud_hand(Hud& in, const Rect& rect);

@@ -117,9 +117,9 @@ void draw_hud_readings(Hud& in, float from_y) {
   const float y = in.room.bottom() - hud_panel_height;
   const float force_w = std::min(force_panel_width, in.room.w);
   draw_force(in, in.sided({in.room.right() - force_w, y, force_w, hud_panel_height}));
-  const float tool_w = in.hud.held ? hand_panel_width : tool_panel_width;
   float left = in.room.w - force_w - hud_gap;
-  if (left < tool_w) return;
+  if (left < (in.hud.held ? narrow_hand_panel_width : tool_panel_width)) return;
+  const float tool_w = in.hud.held ? std::min(hand_panel_width, left) : tool_panel_width;
   const Rect tool = in.sided({in.room.x, y, tool_w, hud_panel_height});
   if (in.hud.held) {
     draw_hud_hand(in, tool);
