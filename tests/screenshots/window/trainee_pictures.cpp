@@ -32,9 +32,10 @@ void take_chevron_replay(const SimulatedCourse& course, const std::filesystem::p
   Photographer photographer(course.data_directory, folder, ui::ThemeName::Light);
   photographer.sign_in("trainee-1", course.password);
   photographer.press("nav.history");
-  // The latest one, which is a chevron.
+  // What was operated last comes first: the chevron is the third.
+  photographer.press("history.operation.2");
   photographer.press(photographer.first("history.list."));
-  photographer.press("result.take.0.action");
+  photographer.press("result.replay");
   photographer.key(ui::Key::End);
   photographer.take("replay_chevron");
 }
