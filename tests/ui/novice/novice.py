@@ -248,10 +248,11 @@ class MouseHand:
             self.person.xdotool("mouseup", "1")
 
     def take(self, name, screen):
-        """A tool of the tray; then the hand is put on it again."""
+        """A tool of the tray; the hand is on it again, unless the line at the foot says otherwise."""
         self.person.click(name)
         screen.look_until(lambda: not screen.is_tray_open())
-        self.set_down(screen)
+        if screen.says_lifted():
+            self.set_down(screen)
 
     def press_button(self, words, screen):
         """A button of the tool or of the step, or the number of a step that can be taken up again; then the hand is put on the

@@ -48,8 +48,8 @@ constexpr double crumb_mm = 0.3;
 constexpr double at_bone_mm = 0.6, pushed_at_once_mm = 4.0;
 /// Where the best move mends less, the view looks along what is to be mended.
 constexpr double least_mended_share = 0.02;
-/// A turn in the face counts less: no read-out tells it.
-constexpr double yaw_weight = 0.5;
+/// A turn in the face counts less: it tilts no wall, and only moves the teeth aside as they go deep.
+constexpr double yaw_weight = 0.5, yaw_good_rad = 0.035;
 
 /// Where the middle of the blade is to lie; the normal looks to the waste.
 struct GoalPlane {
@@ -129,36 +129,62 @@ Tilt tilt_off(const CoachView& view, const Aim& aim) {
   return tilt;
 }
 
-/// The turn that leaves least of the turn from the blade as it is held to the blade as it is to
-/// lie, told along the axes of the latter: the read-outs bend where much is left, and one who
-/// follows them from there turns in circles.
-Chosen best_turn(const CoachView& view, const Aim& aim, double side) {
+/// The blade as it is to lie, by the axes of its pass; z of the blade, so on its own side.
+struct Wanted {
+  Vec3 feed, along, normal;
+};
+
+Wanted wanted_pose(const Aim& aim, double side) {
   const Vec3 normal = side * aim.goal.normal;
   const Vec3& planned = aim.passes.feed_in_bone;
   const Vec3 feed = unit(planned - glm::dot(planned, normal) * normal);
-  const Vec3 along = glm::cross(normal, feed);
-  const auto told = [&](const Vec3& turn) {
-    return std::array<double, 3>{glm::dot(turn, feed), glm::dot(turn, along),
-                                 yaw_weight * glm::dot(turn, normal)};
-  };
-  const Vec3 left = rotation_vector(rotation_from_axes(feed, along) *
-                                    glm::conjugate(view.bone_from_tool.rotation));
-  const auto levers =
-      turning_levers<3>(view.bone_from_view, [&](const Vec3& axis) { return told(-axis); });
-  return best_move<3>(told(left), levers);
+  return {feed, glm::cross(normal, feed), normal};
 }
 
-std::optional<Hint> tilt_hint(const CoachView& view, const Aim& aim, const PlanReading& reading,
-                              double slack) {
-  const Tilt off = tilt_off(view, aim);
-  if (std::hypot(off.pitch_rad, off.roll_rad) < slack * tilt_good_rad) return std::nullopt;
+/// The turn from the blade as it is held to the blade as it is to lie.
+Vec3 turn_left_rad(const CoachView& view, const Wanted& wanted) {
+  return rotation_vector(rotation_from_axes(wanted.feed, wanted.along) *
+                         glm::conjugate(view.bone_from_tool.rotation));
+}
+
+/// The turn that leaves least, told along the axes of the blade as it is to lie: the read-outs bend
+/// where much is left, and one who follows them from there turns in circles.
+Chosen best_turn(const CoachView& view, const Wanted& wanted) {
+  const auto told = [&](const Vec3& turn) {
+    return std::array<double, 3>{glm::dot(turn, wanted.feed), glm::dot(turn, wanted.along),
+                                 yaw_weight * glm::dot(turn, wanted.normal)};
+  };
+  const auto levers =
+      turning_levers<3>(view.bone_from_view, [&](const Vec3& axis) { return told(-axis); });
+  return best_move<3>(told(turn_left_rad(view, wanted)), levers);
+}
+
+Hint tilted_hint(const Tilt& off, const PlanReading& reading) {
   Hint hint{.text_id = "operate.hint.tilt"};
   hint.values = {{"pitch", degree_text(reading.pitch_rad)},
                  {"roll", degree_text(reading.roll_rad)},
                  {"pitch_goal", degree_text(reading.pitch_rad - off.pitch_rad)},
                  {"roll_goal", degree_text(reading.roll_rad - off.roll_rad)}};
   hint.read_outs = {"plan.pitch", "plan.roll"};
-  set_amount(hint, best_turn(view, aim, off.side), key_turn_rad);
+  return hint;
+}
+
+/// No read-out tells it, so the sentence does.
+Hint turned_hint(double yaw_rad) {
+  Hint hint{.text_id = "operate.hint.turned"};
+  hint.values = {{"turned", degree_text(yaw_rad)}};
+  return hint;
+}
+
+std::optional<Hint> tilt_hint(const CoachView& view, const Aim& aim, const PlanReading& reading,
+                              double slack) {
+  const Tilt off = tilt_off(view, aim);
+  const Wanted wanted = wanted_pose(aim, off.side);
+  const double yaw_rad = -glm::dot(turn_left_rad(view, wanted), wanted.normal);
+  const bool is_tilted = std::hypot(off.pitch_rad, off.roll_rad) >= slack * tilt_good_rad;
+  if (!is_tilted && std::abs(yaw_rad) < slack * yaw_good_rad) return std::nullopt;
+  Hint hint = is_tilted ? tilted_hint(off, reading) : turned_hint(yaw_rad);
+  set_amount(hint, best_turn(view, wanted), key_turn_rad);
   return hint;
 }
 

@@ -29,6 +29,7 @@ constexpr double meant_within_mm = 6.0, meant_within_rad = 0.45, meant_share = 0
 constexpr double pilot_short_mm = 1.5;
 /// Nearer to the bone the tip is not moved aside; so far before the planned entry it is clear.
 constexpr double near_bone_mm = 1.0, clear_mm = -3.5;
+constexpr double out_of_hole_mm = 1.0, longest_way_out_mm = 30.0;
 constexpr double deep_enough_mm = 0.3, gentle_from_mm = 3.0, approach_mm = 0.6;
 /// Of a fragment that is led, and of one that was driven home.
 constexpr double led_good_mm = 0.4, home_good_mm = 2.0, turned_good_rad = 0.035;
@@ -180,6 +181,16 @@ const StandingImplant* temporary_standing(const CoachView& view) {
   return nullptr;
 }
 
+/// Of the tip in the hand, out of the hole of the wire that it is; as far as any where that is not
+/// known.
+double way_out_mm(const CoachView& view) {
+  for (const PlannedImplant& planned : view.plan.fixation.implants) {
+    if (planned.is_temporary && is_meant_for(planned, view.bone_from_tool))
+      return read_implant(planned, view.bone_from_tool).depth_mm + out_of_hole_mm;
+  }
+  return longest_way_out_mm;
+}
+
 Hint turn_fragment_hint(const CoachView& view, const ShiftReading& reading) {
   Hint hint{.text_id = "operate.hint.turn_fragment"};
   hint.values = {{"turned", degree_text(reading.turned_rad)}};
@@ -265,7 +276,7 @@ std::optional<Hint> implant_hint(const CoachView& view) {
 }
 
 std::optional<Hint> temporary_wire_hint(const CoachView& view) {
-  if (view.is_in_bore) return draw_back_hint("operate.hint.wire_out", 30.0);
+  if (view.is_in_bore) return draw_back_hint("operate.hint.wire_out", way_out_mm(view));
   const StandingImplant* const standing = temporary_standing(view);
   if (standing == nullptr) return std::nullopt;
   if (std::optional<Hint> tool = tool_hint(view, standing->tool)) return tool;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "tests/ui/screens/operating/fixation/chevron_case.h"
 #include "tests/ui/screens/operating/obedient_hand.h"
@@ -21,8 +22,9 @@ class ChevronByHints : public testing::Test {
   static void SetUpTestSuite() {
     operation = new VirtualOperation(chevron_case());
     while (operation->time_s() < patience_s && operation->session().asked() != Asked::Finish) {
-      const std::optional<Hint> hint = next_hint(coach_view(operation->sources()));
-      obey(*operation, hint.value_or(Hint{}));
+      const Hint hint = next_hint(coach_view(operation->sources())).value_or(Hint{});
+      if (hint.text_id == "operate.hint.wire_out") ways_out.push_back(hint.times);
+      obey(*operation, hint);
     }
   }
   static void TearDownTestSuite() {
@@ -34,9 +36,12 @@ class ChevronByHints : public testing::Test {
   }
 
   static VirtualOperation* operation;
+  /// Millimetres that a wire was to be drawn out by, in turn.
+  static std::vector<int> ways_out;
 };
 
 VirtualOperation* ChevronByHints::operation = nullptr;
+std::vector<int> ChevronByHints::ways_out;
 
 TEST_F(ChevronByHints, ComesToTheLastStep) {
   EXPECT_EQ(operation->session().asked(), Asked::Finish);
@@ -62,6 +67,37 @@ TEST_F(ChevronByHints, LeavesTheScrewAndTakesTheWiresOut) {
       operation->session().tools().tray()[static_cast<std::size_t>(site.implants[0].tool)];
   EXPECT_TRUE(std::holds_alternative<simulator::Screwdriver>(tool.tool)) << tool.name;
   EXPECT_EQ(count(CutEventKind::ImplantTaken), 2);
+}
+
+TEST_F(ChevronByHints, TellsHowFarAWireIsStillToBeDrawnOut) {
+  ASSERT_GE(ways_out.size(), 2U) << "some millimetres at a time";
+  EXPECT_GT(ways_out.front(), 18) << "as deep as it was set";
+  EXPECT_LT(ways_out.front(), 30);
+  EXPECT_LT(ways_out.back(), 10);
+}
+
+/// Turns the blade about its normal.
+void turn_in_plane(VirtualOperation& operation, double angle_rad) {
+  const CoachView view = coach_view(operation.sources());
+  const Vec3 turn =
+      angle_rad * (glm::conjugate(view.bone_from_view) * axis_z(view.bone_from_tool));
+  simulator::PointerMotion motion;
+  motion.turned_rad = Vec2(turn.y, -turn.x);
+  motion.rolled_rad = turn.z;
+  operation.advance(2 * ticks_per_look, motion);
+}
+
+TEST(TurnedInItsPlane, ABladeIsTurnedBackBeforeItSaws) {
+  VirtualOperation operation(chevron_case());
+  const auto look = [&] { return next_hint(coach_view(operation.sources())).value_or(Hint{}); };
+  while (look().text_id != "operate.hint.saw_on" && operation.time_s() < patience_s)
+    obey(operation, look());
+  const std::size_t step = operation.session().steps().step();
+  turn_in_plane(operation, -0.2);
+  EXPECT_NE(look().text_id, "operate.hint.saw_on");
+  while (operation.session().steps().step() == step && operation.time_s() < patience_s)
+    obey(operation, look());
+  EXPECT_TRUE(operation.session().steps().is_done(step));
 }
 
 }  // namespace
