@@ -202,7 +202,8 @@ void Boring::take_implant(std::int32_t implant, const ToolHand& hand, const Tool
   handle_from_tool_ = inverse(hand.bone_from_handle) * wound_from_tool;
   out.say(CutEventKind::ImplantTaken, implant);
   const BoresAtHand at_hand = bores_at_hand(out.record(), site.wound);
-  const std::int32_t bore = find_bore_to_join(wound_from_tool, at_hand.all());
+  // A tip that came out at the far side went on through the air.
+  const std::int32_t bore = find_bore_to_join(wound_from_tool, at_hand.all(), taken.size.length_mm);
   if (bore < 0) return;
   enter_bore(tool_, bore);
   tool_.is_threaded = taken.size.is_screw;

@@ -73,8 +73,8 @@ BoreOutcome move_bore(BoreToolState& tool, const BoreInput& input, const Wound& 
   return outcome;
 }
 
-std::int32_t find_bore_to_join(const RigidTransform& wound_from_tool,
-                               std::span<const Bore> bores) noexcept {
+std::int32_t find_bore_to_join(const RigidTransform& wound_from_tool, std::span<const Bore> bores,
+                               double beyond_mm) noexcept {
   std::int32_t nearest = -1;
   double least_mm = bore_rejoin_offset_mm;
   for (std::size_t i = 0; i < bores.size(); ++i) {
@@ -82,8 +82,7 @@ std::int32_t find_bore_to_join(const RigidTransform& wound_from_tool,
     const double sine = length_of(glm::cross(axis, ahead));
     if (glm::dot(axis, ahead) <= 0.0 || sine > bore_rejoin_angle_rad) continue;
     const double way_mm = way_along(bores[i], wound_from_tool.translation_mm);
-    if (way_mm < -bore_rejoin_reach_mm || way_mm > bores[i].depth_mm + bore_rejoin_reach_mm)
-      continue;
+    if (way_mm < -bore_rejoin_reach_mm || way_mm > bores[i].depth_mm + beyond_mm) continue;
     const Vec3 arm_mm =
         wound_from_tool.translation_mm - bores[i].body_from_bore.translation_mm - way_mm * axis;
     if (length_of(arm_mm) > least_mm) continue;

@@ -142,8 +142,9 @@ BoreOutcome move_bore(BoreToolState& tool, const BoreInput& input, const Wound& 
                       const ContactSettings& settings) noexcept;
 
 /// The bore that a tool at this pose finds again, the one with the nearest axis, or -1.
-std::int32_t find_bore_to_join(const RigidTransform& wound_from_tool,
-                               std::span<const Bore> bores) noexcept;
+/// beyond_mm  that its tip may stand beyond the end of what was bored
+std::int32_t find_bore_to_join(const RigidTransform& wound_from_tool, std::span<const Bore> bores,
+                               double beyond_mm = bore_rejoin_reach_mm) noexcept;
 
 /// The tip's disc, a little ahead of it.
 std::array<Vec3, bore_disc_points> tip_disc(const RigidTransform& wound_from_tool,

@@ -151,6 +151,15 @@ TEST_F(Boring, AWireThatIsTakenAgainComesOutAndIsNoMetalAnyMore) {
   EXPECT_TRUE(is_replayed());
 }
 
+TEST_F(Boring, AWireWhoseTipWentOnThroughTheAirIsInItsBoreWhenItIsTaken) {
+  leave_wire(wire, {0.0, 0.0, 0.0}, -9.0);
+  run_.step({take(0)});
+  EXPECT_EQ(count(CutEventKind::BoreEntered), 1U);
+  run_.hold(1);
+  EXPECT_TRUE(has(run_.recording().samples.back().status, ToolStatus::InBore));
+  EXPECT_TRUE(is_replayed());
+}
+
 TEST_F(Boring, RefusesToLeaveAndToTakeWhatCannotBe) {
   const auto refused = [&] { return run_.events(CutEventKind::ImplantRefused).back().subject; };
   run_.step({leave});
