@@ -32,12 +32,12 @@ constexpr double rebuilt_share = 0.8;
 
 /// Opens the kerfs once, and follows their heat on the way.
 RebuiltBone rebuild_and_follow(FollowedEffects& effects, const scenarios::Scenario& scenario,
-                               const scenarios::Plan& plan, const simulator::Bone& bone,
+                               const scenarios::Plan& plan, const simulator::Bones& bones,
                                const simulator::Recording& recording, const Progress& progress) {
   const auto follow = [&](const simulator::ToolSample& sample, const simulator::KerfSet& kerfs) {
     effects.follow(sample, kerfs);
   };
-  return rebuild(bone, scenarios::tray_of(scenario), recording, progress, nullptr, follow,
+  return rebuild(bones, scenarios::tray_of(scenario), recording, progress, nullptr, follow,
                  hinges_of(plan));
 }
 
@@ -63,21 +63,33 @@ void remark_sawn_after_done(std::vector<Measurement>& all, const Evidence& evide
   }
 }
 
+/// Of the patient's bones, that in whose frame a measurement has its place: the first for what is
+/// about none of the plan's parts.
+std::size_t bone_of(const Measurement& measurement, const scenarios::Plan& plan) {
+  if (const auto* cut = find_cut(plan, measurement.cut)) return cut->bone;
+  if (const auto* hinge = find_hinge(plan, measurement.hinge)) return hinge->bone;
+  if (const auto* fragment = find_fragment(plan.fixation, measurement.fragment))
+    return fragment->bone;
+  return 0;
+}
+
 void measure_all(Examination& examination, const Evidence& evidence, const FollowedEffects& effects,
                  const Progress& progress) {
   std::vector<Measurement>& all = examination.measurements;
-  all = measure_geometry(evidence, effects.surface());
+  const BoneSurfaces surfaces(evidence.bones, effects.surfaces());
+  all = measure_geometry(evidence, surfaces);
   remark_sawn_after_done(all, evidence);
   add(all, measure_deeds(evidence, progress));
   add(all, measure_closings(evidence));
   const scenarios::PlannedFixation& fixation = evidence.plan.fixation;
   if (!fixation.fragments.empty() || !fixation.implants.empty()) {
     const WhatIsLeft left =
-        what_is_left(evidence.recording, evidence.rebuilt, evidence.bone, evidence.plan);
+        what_is_left(evidence.recording, evidence.rebuilt, evidence.bones, evidence.plan);
     add(all, measure_fragments(left, evidence));
     add(all, measure_implants(left, evidence));
   }
-  add(all, measure_process(evidence, effects));
+  add(all, measure_process(evidence, effects, surfaces.together()));
+  say_in_first(all, evidence);
 }
 
 void bound_geometry(std::vector<Measurement>& all, const Evidence& evidence) {
@@ -93,30 +105,30 @@ void bound_geometry(std::vector<Measurement>& all, const Evidence& evidence) {
 
 }  // namespace
 
-Examination assess_fully(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+Examination assess_fully(const scenarios::Scenario& scenario, simulator::Bones bones,
                          const simulator::Recorded& recorded, std::string_view device_class,
                          const Progress& progress) {
   const simulator::Recording& recording = recorded.outputs;
   // The plan comes first: a scenario that does not fit the bone is refused before the long work.
-  scenarios::Plan plan = plan_on(scenario, bone);
-  FollowedEffects effects(bone, scenario.saw, plan);
-  RebuiltBone rebuilt = rebuild_and_follow(effects, scenario, plan, bone, recording,
+  scenarios::Plan plan = plan_on(scenario, bones);
+  FollowedEffects effects(bones, scenario.saw, plan);
+  RebuiltBone rebuilt = rebuild_and_follow(effects, scenario, plan, bones, recording,
                                            part_of(progress, 0.0, rebuilt_share));
   Examination examination{std::move(plan), std::move(rebuilt), {}, {}, {}};
   find_faces(examination, scenario, recording);
   const Evidence evidence{scenario, examination.plan, examination.rebuilt, examination.faces,
-                          bone,     recording,        recorded.tape};
+                          bones,    recording,        recorded.tape};
   measure_all(examination, evidence, effects, part_of(progress, rebuilt_share, 1.0));
   examination.card =
       score_measurements(scenario, examination.measurements, device_class, recording.engine);
   return examination;
 }
 
-Examination examine_measured(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+Examination examine_measured(const scenarios::Scenario& scenario, simulator::Bones bones,
                              const simulator::Recording& recording, std::string_view device_class,
                              Measured measured, const Progress& progress) {
-  scenarios::Plan plan = plan_on(scenario, bone);
-  RebuiltBone rebuilt = rebuild(bone, scenarios::tray_of(scenario), recording, progress,
+  scenarios::Plan plan = plan_on(scenario, bones);
+  RebuiltBone rebuilt = rebuild(bones, scenarios::tray_of(scenario), recording, progress,
                                 &measured.opened, {}, hinges_of(plan));
   Examination examination{std::move(plan), std::move(rebuilt), {}, {}, {}};
   find_faces(examination, scenario, recording);
@@ -126,13 +138,22 @@ Examination examine_measured(const scenarios::Scenario& scenario, const simulato
   return examination;
 }
 
-std::vector<Measurement> measure_geometry(const Evidence& evidence, const simulator::Bvh& surface) {
+void say_in_first(std::vector<Measurement>& all, const Evidence& evidence) {
+  if (evidence.bones.size() == 1) return;
+  for (Measurement& each : all) {
+    const std::size_t bone = bone_of(each, evidence.plan);
+    each.place_in_bone_mm =
+        transform_point(first_from(evidence.bones, bone), each.place_in_bone_mm);
+  }
+}
+
+std::vector<Measurement> measure_geometry(const Evidence& evidence, const BoneSurfaces& surfaces) {
   std::vector<Measurement> all;
   for (std::size_t cut = 0; cut < evidence.plan.cuts.size(); ++cut)
     add(all, measure_cut(cut, evidence));
   for (const scenarios::PlannedHinge& hinge : evidence.plan.hinges)
     add(all, measure_hinge(hinge, evidence, all));
-  add(all, measure_pieces(evidence, surface));
+  add(all, measure_pieces(evidence, surfaces));
   all.push_back(joint_margin_measurement(evidence));
   bound_geometry(all, evidence);
   return all;

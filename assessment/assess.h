@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "assessment/measurement.h"
+#include "assessment/rebuild/bone_surfaces.h"
 #include "assessment/rebuild/cut_face.h"
 #include "assessment/rebuild/evidence.h"
 #include "assessment/rebuild/rebuild.h"
@@ -14,8 +15,7 @@
 #include "scenarios/plan.h"
 #include "scenarios/scenario.h"
 #include "simulator/base/progress.h"
-#include "simulator/mesh/bone.h"
-#include "simulator/mesh/bvh.h"
+#include "simulator/mesh/bones.h"
 #include "simulator/record/tape_lines.h"
 
 namespace hallux::assessment {
@@ -35,7 +35,7 @@ struct Examination {
 /// errors  Cancelled; ScenarioError where the scenario does not fit the bone (see plan_on); those
 ///         of whoever keeps the tape
 /// thread  any; the same arguments give the same card
-Examination assess_fully(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+Examination assess_fully(const scenarios::Scenario& scenario, simulator::Bones bones,
                          const simulator::Recorded& recorded, std::string_view device_class,
                          const Progress& progress = {});
 
@@ -51,14 +51,18 @@ struct Measured {
 /// measurements alone, whatever the fields are.
 /// needs   the outputs of the recording
 /// errors  as above
-Examination examine_measured(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+Examination examine_measured(const scenarios::Scenario& scenario, simulator::Bones bones,
                              const simulator::Recording& recording, std::string_view device_class,
                              Measured measured, const Progress& progress = {});
 
 /// What the faces, hinges and pieces tell, and the margin to joints: what follows from where the
 /// kerfs lie.
-/// surface  of the bone's outside
-std::vector<Measurement> measure_geometry(const Evidence& evidence, const simulator::Bvh& surface);
+/// surfaces  of the evidence's bones
+std::vector<Measurement> measure_geometry(const Evidence& evidence, const BoneSurfaces& surfaces);
+
+/// Each place was said in the frame of the bone that the measurement is of; from now on in that of
+/// the first.
+void say_in_first(std::vector<Measurement>& all, const Evidence& evidence);
 
 /// The card that these measurements earn by the scenario's rubric: what a change of knots, weights
 /// or gates needs.

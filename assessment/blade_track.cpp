@@ -27,8 +27,8 @@ std::array<Vec3, 3> teeth_at(const ToolSample& sample, const RigidTransform& bon
 }  // namespace
 
 std::vector<ToothPoint> cutting_tooth_points(const Recording& recording, const RebuiltBone& rebuilt,
-                                             const simulator::Bone& bone, std::int32_t kerf) {
-  const RigidTransform bone_from_world = inverse(bone.world_from_bone);
+                                             const simulator::Bones& bones, std::int32_t kerf) {
+  const RigidTransform bone_from_world = inverse(bones[bone_of(rebuilt, kerf)].world_from_bone);
   const double width_mm = blade_of_kerf(recording, rebuilt, kerf).width_mm;
   std::vector<ToothPoint> points;
   for (const ToolSample& sample : recording.samples) {
@@ -41,9 +41,9 @@ std::vector<ToothPoint> cutting_tooth_points(const Recording& recording, const R
 }
 
 std::optional<Reach> measure_reach(const Recording& recording, const RebuiltBone& rebuilt,
-                                   const simulator::Bone& bone, std::int32_t kerf,
+                                   const simulator::Bones& bones, std::int32_t kerf,
                                    const ReachLimit& limit) {
-  const RigidTransform bone_from_world = inverse(bone.world_from_bone);
+  const RigidTransform bone_from_world = inverse(bones[bone_of(rebuilt, kerf)].world_from_bone);
   const double width_mm = blade_of_kerf(recording, rebuilt, kerf).width_mm;
   std::optional<Reach> reach;
   double deepest_mm = 0.0;

@@ -15,7 +15,7 @@ namespace hallux::assessment {
 /// Ends and middle of the tooth line at each tick in which the blade cut in this kerf.
 std::vector<ToothPoint> cutting_tooth_points(const simulator::Recording& recording,
                                              const RebuiltBone& rebuilt,
-                                             const simulator::Bone& bone, std::int32_t kerf);
+                                             const simulator::Bones& bones, std::int32_t kerf);
 
 /// Points p with outward . p = limit, beyond which the teeth are not to go.
 struct ReachLimit {
@@ -36,7 +36,7 @@ struct Reach {
 
 /// errors  nothing where the saw never ran in this kerf
 std::optional<Reach> measure_reach(const simulator::Recording& recording,
-                                   const RebuiltBone& rebuilt, const simulator::Bone& bone,
+                                   const RebuiltBone& rebuilt, const simulator::Bones& bones,
                                    std::int32_t kerf, const ReachLimit& limit);
 
 }  // namespace hallux::assessment

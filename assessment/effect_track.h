@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "simulator/base/progress.h"
-#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bones.h"
 #include "simulator/record/record.h"
 #include "simulator/step/tool_effects.h"
 #include "simulator/tool/tray.h"
@@ -28,7 +28,7 @@ struct EffectTrack {
 /// needs   recording's samples and events are in the order of their ticks; stretch > 0
 /// errors  Cancelled
 /// thread  any
-EffectTrack track_effects(const simulator::Bone& bone, const simulator::Tray& tray, bool is_guided,
+EffectTrack track_effects(simulator::Bones bones, const simulator::Tray& tray, bool is_guided,
                           const simulator::Recording& recording, std::size_t stretch,
                           const Progress& progress = {});
 

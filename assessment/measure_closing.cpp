@@ -7,6 +7,7 @@
 
 #include "assessment/make_measurement.h"
 #include "assessment/metrics/face_metrics.h"
+#include "assessment/process/sample_spans.h"
 #include "assessment/rebuild/bound.h"
 #include "assessment/rebuild/geometry_bounds.h"
 #include "simulator/base/units.h"
@@ -21,14 +22,6 @@ using simulator::CutEvent;
 
 /// Faces that are no further apart touch.
 constexpr double touching_mm = 0.2;
-
-const CutEvent* closing_event(const simulator::Recording& recording) {
-  const CutEvent* closing = nullptr;
-  for (const CutEvent& event : recording.events) {
-    if (event.kind == simulator::CutEventKind::HingeClosed) closing = &event;
-  }
-  return closing;
-}
 
 /// By how much the bone beyond was turned, seen from dorsal; positive as planned.
 double correction_deg(const RigidTransform& bone_from_moved, const PlannedHinge& hinge,
@@ -89,7 +82,8 @@ std::array<Measurement, 4> measure_closing(const Evidence& evidence, const Plann
                                   absent(Metric::ShorteningMm, Absence::NotDone, place_mm),
                                   absent(Metric::GapMm, Absence::NotDone, place_mm),
                                   absent(Metric::ContactShare, Absence::NotDone, place_mm)};
-  const CutEvent* closing = closing_event(evidence.recording);
+  const CutEvent* closing =
+      closing_of(evidence.recording, index_of_hinge(evidence.plan, hinge.name));
   const CutFace* first = counting_face(evidence, hinge.first_cut);
   const CutFace* second = counting_face(evidence, hinge.second_cut);
   if (closing == nullptr || first == nullptr || second == nullptr) return made;
@@ -98,8 +92,8 @@ std::array<Measurement, 4> measure_closing(const Evidence& evidence, const Plann
   const Contact contact = contact_of(*first, *second, bone_from_moved);
   made = {measured(Metric::CorrectionDeg, correction_deg(bone_from_moved, hinge, evidence.plan),
                    moment, place_mm),
-          measured(Metric::ShorteningMm, shortening_mm(bone_from_moved, evidence.bone), moment,
-                   place_mm),
+          measured(Metric::ShorteningMm, shortening_mm(bone_from_moved, evidence.bones[hinge.bone]),
+                   moment, place_mm),
           measured(Metric::GapMm, contact.gap_mm, moment, contact.widest_in_bone_mm),
           measured(Metric::ContactShare, contact.share, moment, contact.widest_in_bone_mm)};
   made[2].bound += contact.gap_bound_mm;

@@ -257,7 +257,7 @@ void add_over_cut(std::vector<Measurement>& made, const PlannedCut& planned, con
                   std::span<const std::int32_t> kerfs, const Evidence& evidence) {
   if (!planned.hinge.empty()) return;
   const OverCut over =
-      measure_over_cut(evidence.recording, evidence.rebuilt, evidence.bone, kerfs, planned);
+      measure_over_cut(evidence.recording, evidence.rebuilt, evidence.bones, kerfs, planned);
   const bool is_over = over.over_mm > 0.0;
   made.push_back(measurement(planned, Metric::OverCutMm, over.over_mm,
                              is_over ? Moment{over.first_tick, over.deepest_tick}
@@ -347,7 +347,7 @@ std::vector<Measurement> measure_cut(std::size_t cut, const Evidence& evidence) 
   if (planned.is_along_bone) add_resection(made, planned, plan, face, rebuilt);
   add_flatness(made, planned,
                measure_flatness(
-                   cutting_tooth_points(evidence.recording, rebuilt, evidence.bone, face.kerf)));
+                   cutting_tooth_points(evidence.recording, rebuilt, evidence.bones, face.kerf)));
   add_ledges(made, planned, faces, rebuilt);
   if (planned.is_along_bone) {
     add_harm(made, planned, worst_harm(faces, rebuilt, plan), rebuilt, face.kerf);
@@ -357,7 +357,7 @@ std::vector<Measurement> measure_cut(std::size_t cut, const Evidence& evidence) 
   add_right_tool(made, planned, face, kerfs, evidence);
   add_break_throughs(made, planned, faces, kerfs, rebuilt,
                      {evidence.recording, blade_of_kerf(evidence.recording, rebuilt, face.kerf),
-                      inverse(evidence.bone.world_from_bone)});
+                      inverse(evidence.bones[planned.bone].world_from_bone)});
   for (Measurement& each : made) each.done_fraction = face.done_fraction;
   return made;
 }

@@ -16,7 +16,6 @@ using scenarios::OperationStep;
 using scenarios::SawnFace;
 using scenarios::StepKind;
 using simulator::Bvh;
-using simulator::CutEventKind;
 
 SawnFace sawn_face(const CutFace& face, const RebuiltBone& rebuilt) {
   SawnFace made{{face.plane.normal, face.plane.offset_mm},
@@ -45,17 +44,19 @@ std::vector<SawnFace> faces_around(const OperationStep& step, const Evidence& ev
   return around;
 }
 
-/// Whether most of the bone beyond the faces went with what was taken out.
-bool has_gone(const std::vector<SawnFace>& faces, const Evidence& evidence,
+/// Whether most of that bone beyond the faces went with what was taken out.
+bool has_gone(const std::vector<SawnFace>& faces, std::size_t bone, const Evidence& evidence,
               const std::vector<TakenOut>& taken) {
   if (faces.empty() || taken.empty()) return false;
-  const simulator::CutSolid whole = uncut_solid(solid_of(evidence.bone));
+  const simulator::CutSolid whole = uncut_solid(solid_of(evidence.bones[bone]));
   const Bvh tree(whole.mesh);
   std::vector<const Bvh*> bodies;
   bodies.reserve(taken.size());
-  for (const TakenOut& out : taken) bodies.push_back(out.body.get());
-  const std::vector<Vec3> places_mm =
-      parted_places_mm(faces, {whole, tree}, evidence.rebuilt.fields);
+  for (const TakenOut& out : taken) {
+    if (out.bone == bone) bodies.push_back(out.body.get());
+  }
+  const std::vector<Vec3> places_mm = parted_places_mm(
+      faces, {whole, tree}, evidence.rebuilt.fields, kerfs_of_bone(evidence.rebuilt, bone));
   return scenarios::are_mostly_in(bodies, places_mm);
 }
 
@@ -70,23 +71,22 @@ Measurement deed(Metric metric, const OperationStep& step, bool is_done, std::in
 
 Measurement piece_out(const OperationStep& step, const Evidence& evidence,
                       const std::vector<TakenOut>& taken) {
-  const bool is_out = has_gone(faces_around(step, evidence), evidence, taken);
-  const std::int64_t tick = is_out ? taken.back().tick : last_tick_of(evidence.recording);
   const scenarios::PlannedHinge* hinge = find_hinge(evidence.plan, step.hinge);
   const scenarios::PlannedCut* cut =
       find_cut(evidence.plan, hinge == nullptr ? step.cut : hinge->first_cut);
+  const bool is_out = has_gone(faces_around(step, evidence), cut->bone, evidence, taken);
+  std::int64_t tick = last_tick_of(evidence.recording);
+  for (const TakenOut& out : taken) {
+    if (is_out && out.bone == cut->bone) tick = out.tick;
+  }
   return deed(Metric::PieceOut, step, is_out, tick, cut->entry_point_in_bone_mm);
 }
 
 Measurement wedge_closed(const OperationStep& step, const Evidence& evidence) {
-  std::int64_t tick = last_tick_of(evidence.recording);
-  bool is_closed = false;
-  for (const simulator::CutEvent& event : evidence.recording.events) {
-    if (event.kind != CutEventKind::HingeClosed) continue;
-    is_closed = true;
-    tick = event.tick;
-  }
-  return deed(Metric::WedgeClosed, step, is_closed, tick,
+  const simulator::CutEvent* const closing =
+      closing_of(evidence.recording, index_of_hinge(evidence.plan, step.hinge));
+  const std::int64_t tick = closing == nullptr ? last_tick_of(evidence.recording) : closing->tick;
+  return deed(Metric::WedgeClosed, step, closing != nullptr, tick,
               find_hinge(evidence.plan, step.hinge)->bridge.line.point_in_bone_mm);
 }
 
@@ -95,7 +95,7 @@ Measurement wedge_closed(const OperationStep& step, const Evidence& evidence) {
 std::vector<Measurement> measure_deeds(const Evidence& evidence, const Progress& progress) {
   std::vector<Measurement> made;
   const std::vector<TakenOut> taken =
-      pieces_taken_out(evidence.rebuilt, evidence.bone, evidence.recorded(), progress);
+      pieces_taken_out(evidence.rebuilt, evidence.bones, evidence.recorded(), progress);
   for (const OperationStep& step : evidence.scenario.steps) {
     if (step.kind == StepKind::Remove) made.push_back(piece_out(step, evidence, taken));
     if (step.kind == StepKind::Close) made.push_back(wedge_closed(step, evidence));

@@ -172,7 +172,7 @@ std::vector<KerfGap> gaps_of(const Evidence& evidence, const PlannedHinge& hinge
   std::vector<KerfGap> gaps;
   if (kerfs.empty()) return gaps;
   // The bone as it was: what an earlier kerf took must not move the far surface of a later one.
-  const simulator::CutSolid solid = simulator::uncut_solid(solid_of(evidence.bone));
+  const simulator::CutSolid solid = simulator::uncut_solid(solid_of(evidence.bones[hinge.bone]));
   const simulator::Bvh bvh(solid.mesh);
   for (const std::int32_t kerf : kerfs) {
     const std::optional<HingeGap> gap = measure_hinge_gap(
@@ -204,7 +204,7 @@ std::optional<Reach> reach_of(const Evidence& evidence, const PlannedHinge& hing
                               const KerfGap& gap) {
   const Vec3& outward = hinge.bridge.line.outward;
   const ReachLimit limit{outward, glm::dot(outward, gap.gap.far_in_bone_mm)};
-  return measure_reach(evidence.recording, evidence.rebuilt, evidence.bone, gap.kerf, limit);
+  return measure_reach(evidence.recording, evidence.rebuilt, evidence.bones, gap.kerf, limit);
 }
 
 /// hinge_mm of the kerf that left least.

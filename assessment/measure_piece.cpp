@@ -99,7 +99,7 @@ Thickness wedge_thickness(const CutFace& first, const CutFace& second) {
 
 void add_thickness(std::vector<Measurement>& made, const OperationStep& step,
                    const std::vector<const CutFace*>& faces, const Evidence& evidence,
-                   const simulator::Bvh& surface) {
+                   const BoneSurfaces& surfaces) {
   const bool is_there =
       std::none_of(faces.begin(), faces.end(), [](const CutFace* face) { return face == nullptr; });
   const std::size_t begin = made.size();
@@ -107,9 +107,10 @@ void add_thickness(std::vector<Measurement>& made, const OperationStep& step,
     made.push_back(absent(Metric::ThicknessMm, Absence::NotMade, {}));
     made.push_back(absent(Metric::ThicknessMaxMm, Absence::NotMade, {}));
   } else {
-    const Thickness thickness = faces.size() == 2
-                                    ? wedge_thickness(*faces[0], *faces[1])
-                                    : slab_thickness(*faces[0], evidence.bone.outer, surface);
+    const std::size_t bone = bone_of(evidence.rebuilt, faces[0]->kerf);
+    const Thickness thickness =
+        faces.size() == 2 ? wedge_thickness(*faces[0], *faces[1])
+                          : slab_thickness(*faces[0], evidence.bones[bone].outer, surfaces[bone]);
     const RebuiltKerf& kerf = evidence.rebuilt.kerfs[static_cast<std::size_t>(faces.back()->kerf)];
     const Moment moment{kerf.first_cutting_tick, kerf.last_cutting_tick};
     made.push_back(
@@ -131,7 +132,7 @@ void add_thickness(std::vector<Measurement>& made, const OperationStep& step,
 
 }  // namespace
 
-std::vector<Measurement> measure_pieces(const Evidence& evidence, const simulator::Bvh& surface) {
+std::vector<Measurement> measure_pieces(const Evidence& evidence, const BoneSurfaces& surfaces) {
   std::vector<Measurement> made;
   for (const OperationStep& step : evidence.scenario.steps) {
     if (step.kind != scenarios::StepKind::Remove) continue;
@@ -143,7 +144,7 @@ std::vector<Measurement> measure_pieces(const Evidence& evidence, const simulato
       faces = {counting_face(evidence, hinge->first_cut),
                counting_face(evidence, hinge->second_cut)};
     }
-    add_thickness(made, step, faces, evidence, surface);
+    add_thickness(made, step, faces, evidence, surfaces);
   }
   return made;
 }

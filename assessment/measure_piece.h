@@ -4,16 +4,16 @@
 #include <vector>
 
 #include "assessment/measurement.h"
+#include "assessment/rebuild/bone_surfaces.h"
 #include "assessment/rebuild/evidence.h"
-#include "simulator/mesh/bvh.h"
 
 namespace hallux::assessment {
 
 /// thickness_mm and thickness_max_mm for each step that removes: the mean and the greatest of what
 /// lies over the points of the face that counts, along its normal to the bone's surface; of a
 /// wedge, over the first face to the second one. The saw's own kerf is in it.
-/// surface  of the bone as it was, in its frame
-/// ensures  without faces both are there and not measured
-std::vector<Measurement> measure_pieces(const Evidence& evidence, const simulator::Bvh& surface);
+/// surfaces  of the bones as they were
+/// ensures   without faces both are there and not measured
+std::vector<Measurement> measure_pieces(const Evidence& evidence, const BoneSurfaces& surfaces);
 
 }  // namespace hallux::assessment

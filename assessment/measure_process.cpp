@@ -30,7 +30,7 @@ using simulator::ToolSample;
 class ProcessList {
  public:
   explicit ProcessList(const Evidence& evidence)
-      : evidence_(evidence), bone_from_world_(inverse(evidence.bone.world_from_bone)) {}
+      : evidence_(evidence), bone_from_world_(inverse(evidence.bones.first().world_from_bone)) {}
 
   void add(Metric metric, const Finding& finding) {
     made_.push_back(measured(metric, finding, tool_at(finding.first_tick)));
@@ -159,8 +159,8 @@ void add_pushes(ProcessList& list, const Evidence& evidence) {
 }
 
 void add_saw_care(ProcessList& list, const Evidence& evidence, const simulator::Bvh& surface) {
-  const SawCare care =
-      measure_saw_care(evidence.recording, surface, inverse(evidence.bone.world_from_bone));
+  const SawCare care = measure_saw_care(evidence.recording, surface,
+                                        inverse(evidence.bones.first().world_from_bone));
   list.add(Metric::AirCuttingS, care.air_s);
   list.add(Metric::StartedInBone, care.started_in_bone);
   list.add(Metric::IrrigatedShare, care.irrigated_share, Absence::NotMade);
@@ -221,9 +221,9 @@ std::vector<Measurement> nothing_recorded(const Evidence& evidence) {
 
 }  // namespace
 
-std::vector<Measurement> measure_process(const Evidence& evidence, const FollowedEffects& effects) {
+std::vector<Measurement> measure_process(const Evidence& evidence, const FollowedEffects& effects,
+                                         const simulator::Bvh& surface) {
   if (evidence.recording.samples.empty()) return nothing_recorded(evidence);
-  const simulator::Bvh& surface = effects.surface();
   ProcessList list(evidence);
   add_zones(list, evidence, effects);
   add_heat(list, effects, last_tick_of(evidence.recording));

@@ -138,16 +138,16 @@ double planned_value(const KnownChange& change, const scenarios::Plan& plan) {
 
 }  // namespace
 
-WhatIf::WhatIf(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+WhatIf::WhatIf(const scenarios::Scenario& scenario, simulator::Bones bones,
                const simulator::Recording& recording, std::string_view device_class,
                Examination examination)
     : scenario_(scenario),
-      bone_(bone),
+      bones_(bones),
       recording_(recording),
       device_class_(device_class),
       examination_(std::move(examination)),
       fields_(kept_fields(examination_.rebuilt.fields)),
-      surface_(bone.outer) {
+      surfaces_(bones) {
   for (std::size_t cut = 0; cut < examination_.plan.cuts.size(); ++cut) know_cut(cut);
   for (const PlannedHinge& hinge : examination_.plan.hinges) know_hinge(hinge);
   know_metrics();
@@ -155,7 +155,7 @@ WhatIf::WhatIf(const scenarios::Scenario& scenario, const simulator::Bone& bone,
 
 Evidence WhatIf::evidence() const noexcept {
   return {scenario_, examination_.plan, examination_.rebuilt, examination_.faces,
-          bone_,     recording_};
+          bones_,    recording_};
 }
 
 void WhatIf::know_cut(std::size_t cut) {
@@ -253,7 +253,7 @@ struct MovedAttempt {
 
 /// The bone as the kerfs lie now; each face counts as it did before, and is as finished.
 void rebuild_moved(MovedAttempt& moved, const Evidence& before) {
-  moved.rebuilt.emplace(rebuild(before.bone, scenarios::tray_of(before.scenario), moved.recording,
+  moved.rebuilt.emplace(rebuild(before.bones, scenarios::tray_of(before.scenario), moved.recording,
                                 {}, &moved.fields, {}, hinges_of(before.plan)));
   moved.faces.assign(before.faces.size(), {});
   for (std::size_t cut = 0; cut < before.faces.size(); ++cut) {
@@ -276,7 +276,7 @@ bool has_moved(const OpenedFields& fields, const OpenedFields& before) {
 }
 
 Evidence evidence_of(const MovedAttempt& moved, const Evidence& before) {
-  return {before.scenario, before.plan, *moved.rebuilt, moved.faces, before.bone, moved.recording};
+  return {before.scenario, before.plan, *moved.rebuilt, moved.faces, before.bones, moved.recording};
 }
 
 }  // namespace
@@ -286,7 +286,8 @@ std::vector<Measurement> WhatIf::measured_again(const std::vector<Change>& chang
   MovedAttempt moved{
       {recording_.engine, {}, recording_.samples, recording_.events}, fields_, {}, {}};
   const auto move = [&](std::int32_t kerf, const RigidTransform& bone_from_moved) {
-    move_kerf(moved.recording, moved.fields, bone_.world_from_bone, {kerf, bone_from_moved});
+    move_kerf(moved.recording, moved.fields,
+              bones_[bone_of(examination_.rebuilt, kerf)].world_from_bone, {kerf, bone_from_moved});
   };
   for (const PlannedCut& cut : examination_.plan.cuts) {
     const CutFace* face = counting_face(before, cut.name);
@@ -306,7 +307,10 @@ std::vector<Measurement> WhatIf::measured_again(const std::vector<Change>& chang
     rebuild_moved(moved, before);
   }
   if (!moved.rebuilt) rebuild_moved(moved, before);
-  return measure_geometry(evidence_of(moved, before), surface_);
+  const Evidence after = evidence_of(moved, before);
+  std::vector<Measurement> made = measure_geometry(after, surfaces_);
+  say_in_first(made, after);
+  return made;
 }
 
 WhatIfOutcome WhatIf::with(const std::vector<Change>& changes) const {

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "assessment/assess.h"
-#include "simulator/mesh/bvh.h"
+#include "assessment/rebuild/bone_surfaces.h"
 
 namespace hallux::assessment {
 
@@ -58,11 +58,11 @@ struct Proposals {
   std::int64_t score_milli = 0, gain_milli = 0;
 };
 
-/// Borrows scenario, bone and recording; takes the examination over.
+/// Borrows scenario, bones and recording; takes the examination over.
 class WhatIf {
  public:
   /// needs   the examination is of these
-  WhatIf(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+  WhatIf(const scenarios::Scenario& scenario, simulator::Bones bones,
          const simulator::Recording& recording, std::string_view device_class,
          Examination examination);
 
@@ -85,13 +85,12 @@ class WhatIf {
   std::vector<Change> candidates() const;
 
   const scenarios::Scenario& scenario_;
-  const simulator::Bone& bone_;
+  simulator::Bones bones_;
   const simulator::Recording& recording_;
   std::string device_class_;
   Examination examination_;
   OpenedFields fields_;
-  /// Of the bone's outside.
-  simulator::Bvh surface_;
+  BoneSurfaces surfaces_;
   std::vector<KnownChange> known_;
 };
 

@@ -21,11 +21,6 @@ const FootBone& foot_bone_of(const Scenario& scenario, const PatientRequest& req
                       "\"; use one of: " + names_of(bones));
 }
 
-simulator::Bone make_patient(const Scenario& scenario, const Progress& progress,
-                             std::span<const FootBone> bones) {
-  return make_asked(scenario, scenario.patient, bones, progress);
-}
-
 std::vector<simulator::Bone> make_patient_bones(const Scenario& scenario, const Progress& progress,
                                                 std::span<const FootBone> bones) {
   const double share = 1.0 / static_cast<double>(1 + scenario.further_bones.size());

@@ -16,12 +16,9 @@ namespace hallux::scenarios {
 const FootBone& foot_bone_of(const Scenario& scenario, const PatientRequest& request,
                              std::span<const FootBone> bones = foot_bones());
 
-/// The bone that is operated on, the scenario's first; `progress` is told the fraction done and
-/// may return false to cancel.
+/// The bones of the patient, in the order in which the scenario asks for them; `progress` is told
+/// the fraction done and may return false to cancel.
 /// errors  ScenarioError (see make_bone, foot_bone_of)
-simulator::Bone make_patient(const Scenario& scenario, const Progress& progress = {},
-                             std::span<const FootBone> bones = foot_bones());
-/// All bones of the patient, in the order in which the scenario asks for them.
 std::vector<simulator::Bone> make_patient_bones(const Scenario& scenario,
                                                 const Progress& progress = {},
                                                 std::span<const FootBone> bones = foot_bones());

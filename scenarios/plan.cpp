@@ -37,7 +37,7 @@ std::optional<Vec3> furthest(const PlannedCut& planned, const Bone& bone, const 
 /// Lays one part after another; what waits for another part is laid in a later round.
 class Planner {
  public:
-  Planner(const Scenario& scenario, std::span<const Bone> bones)
+  Planner(const Scenario& scenario, const simulator::Bones& bones)
       : scenario_(scenario),
         ground_(scenario, bones),
         has_cut_(scenario.cuts.size(), false),
@@ -249,6 +249,10 @@ const PlannedHinge* find_hinge(const Plan& plan, std::string_view name) noexcept
   return find_named(plan.hinges, name);
 }
 
+std::size_t index_of_hinge(const Plan& plan, std::string_view name) noexcept {
+  return static_cast<std::size_t>(find_hinge(plan, name) - plan.hinges.data());
+}
+
 const PlannedCut* partner_of(const PlannedCut& cut, const Plan& plan) noexcept {
   constexpr double same_sine = 1.75e-3;
   const auto found = std::ranges::find_if(plan.cuts, [&](const PlannedCut& other) {
@@ -260,16 +264,15 @@ const PlannedCut* partner_of(const PlannedCut& cut, const Plan& plan) noexcept {
 
 simulator::PlannedBridges planned_bridges(const Plan& plan) {
   simulator::PlannedBridges bridges;
-  for (const PlannedHinge& hinge : plan.hinges) bridges.push_back(hinge.bridge);
+  for (const PlannedHinge& hinge : plan.hinges) {
+    bridges.push_back(hinge.bridge);
+    bridges.back().bone = static_cast<std::int32_t>(hinge.bone);
+  }
   return bridges;
 }
 
-Plan plan_on(const Scenario& scenario, std::span<const Bone> bones) {
+Plan plan_on(const Scenario& scenario, simulator::Bones bones) {
   return Planner(scenario, bones).planned();
-}
-
-Plan plan_on(const Scenario& scenario, const Bone& bone) {
-  return plan_on(scenario, std::span(&bone, 1));
 }
 
 }  // namespace hallux::scenarios

@@ -1,4 +1,4 @@
-/// A scenario's plan on one patient: planes and points in that bone's frame.
+/// A scenario's plan on one patient: planes and points in the frame of the bone that each is on.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@
 #include "scenarios/planned_zones.h"
 #include "scenarios/scenario.h"
 #include "simulator/cutting/hinge/hinge.h"
-#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bones.h"
 
 namespace hallux::scenarios {
 
@@ -83,6 +83,8 @@ const PlannedCut* find_cut(const Plan& plan, std::string_view name) noexcept;
 /// needs   the plan has it
 std::size_t index_of_cut(const Plan& plan, std::string_view name) noexcept;
 const PlannedHinge* find_hinge(const Plan& plan, std::string_view name) noexcept;
+/// needs   the plan has it
+std::size_t index_of_hinge(const Plan& plan, std::string_view name) noexcept;
 
 /// The first other cut of the same bone that is planned to contain the same direction, within 0.1
 /// degrees: the other arm of a V, the parallel cut of a slab. Null where there is none.
@@ -95,8 +97,6 @@ simulator::PlannedBridges planned_bridges(const Plan& plan);
 /// errors  ScenarioError naming the landmark that this bone lacks, the cut whose plane misses the
 ///         bone, the hinge that has no room in it, the danger zone that lies nowhere near it, or
 ///         the implant that misses what it is to hold; also for another number of bones
-Plan plan_on(const Scenario& scenario, std::span<const simulator::Bone> bones);
-/// On a patient of one bone.
-Plan plan_on(const Scenario& scenario, const simulator::Bone& bone);
+Plan plan_on(const Scenario& scenario, simulator::Bones bones);
 
 }  // namespace hallux::scenarios

@@ -8,9 +8,10 @@ namespace hallux::scenarios {
 
 /// For each step the middle of the blade in the cut that is made in it, or next after it while
 /// there is only to be looked; nothing for the others.
-/// needs   a plan of this scenario
+/// needs   a plan of this scenario on these bones
+/// ensures said in the frame of the first bone
 simulator::GuidePlan planned_guide(const Scenario& scenario, const Plan& plan,
-                                   simulator::Guidance guidance);
+                                   const simulator::Bones& bones, simulator::Guidance guidance);
 
 /// The cut of that step, or the next after it while there is only to be looked; null where the step
 /// has another purpose. It lives as long as the plan.

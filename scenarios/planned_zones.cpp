@@ -56,4 +56,17 @@ std::vector<PlannedZone> plan_zones(const Scenario& scenario, const Ground& grou
   return zones;
 }
 
+std::vector<DangerCapsule> capsules_of(const std::vector<PlannedZone>& zones,
+                                       const simulator::Bones& bones) {
+  std::vector<DangerCapsule> capsules;
+  for (const PlannedZone& zone : zones) {
+    DangerCapsule& capsule = capsules.emplace_back(zone.capsule);
+    if (zone.bone == 0) continue;
+    const RigidTransform first_from_bone = first_from(bones, zone.bone);
+    for (Vec3* const end_mm : {&capsule.from_in_bone_mm, &capsule.to_in_bone_mm})
+      *end_mm = transform_point(first_from_bone, *end_mm);
+  }
+  return capsules;
+}
+
 }  // namespace hallux::scenarios

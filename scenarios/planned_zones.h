@@ -21,4 +21,8 @@ struct PlannedZone {
 ///         from the bone that no blade comes there
 std::vector<PlannedZone> plan_zones(const Scenario& scenario, const Ground& ground);
 
+/// As the step watches them: in the frame of the first bone.
+std::vector<simulator::DangerCapsule> capsules_of(const std::vector<PlannedZone>& zones,
+                                                  const simulator::Bones& bones);
+
 }  // namespace hallux::scenarios

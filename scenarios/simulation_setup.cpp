@@ -5,13 +5,15 @@
 
 namespace hallux::scenarios {
 
-simulator::SimulationSetup simulation_setup(const Scenario& scenario, const simulator::Bone& bone,
+simulator::SimulationSetup simulation_setup(const Scenario& scenario, simulator::Bones bones,
                                             const Plan& plan, simulator::Guidance guidance) {
-  simulator::SimulationSetup setup{bone, tray_of(scenario)};
+  simulator::SimulationSetup setup{bones.first(), tray_of(scenario)};
+  for (std::size_t bone = 1; bone < bones.size(); ++bone)
+    setup.further_bones.push_back(&bones[bone]);
   setup.contact.bone_quality = scenario.patient.bone_quality;
-  setup.contact.guide = planned_guide(scenario, plan, guidance);
+  setup.contact.guide = planned_guide(scenario, plan, bones, guidance);
   setup.bridges = planned_bridges(plan);
-  for (const PlannedZone& zone : plan.danger_zones) setup.danger_zones.push_back(zone.capsule);
+  setup.danger_zones = capsules_of(plan.danger_zones, bones);
   return setup;
 }
 

@@ -7,10 +7,10 @@
 namespace hallux::scenarios {
 
 /// The same for an attempt, for its replay, and for whoever computes heat and bend again.
-/// plan      of this scenario on this bone
+/// plan      of this scenario on these bones
 /// guidance  how firmly the planned planes lead the hand
-/// ensures borrows the bone
-simulator::SimulationSetup simulation_setup(const Scenario& scenario, const simulator::Bone& bone,
+/// ensures borrows the bones; danger zones and the guide are said in the frame of the first
+simulator::SimulationSetup simulation_setup(const Scenario& scenario, simulator::Bones bones,
                                             const Plan& plan, simulator::Guidance guidance);
 
 }  // namespace hallux::scenarios

@@ -8,6 +8,7 @@
 #include "assessment/process/sample_spans.h"
 #include "scenarios/metric_names.h"
 #include "scenarios/site/bone_words.h"
+#include "simulator/jobs/lying_bones.h"
 #include "simulator/record/fragment_poses.h"
 
 namespace hallux::assessment {
@@ -33,7 +34,7 @@ struct LeftFragment {
 /// When it was laid down last, or turned as a hinge closed; the end where it never was.
 Moment last_laid(const Body& body, const Evidence& evidence) {
   std::int64_t tick = last_tick_of(evidence.recording);
-  simulator::FragmentPoses fragments(evidence.bone.world_from_bone);
+  simulator::FragmentPoses fragments = poses_of(evidence.bones);
   bool was_moved = false;
   for (const simulator::CutEvent& event : evidence.recording.events) {
     fragments.apply(event);
@@ -99,7 +100,6 @@ std::vector<Measurement> not_done(const PlannedFragment& planned) {
 std::vector<Measurement> measure_fragments(const WhatIsLeft& left, const Evidence& evidence) {
   std::vector<Measurement> all;
   for (const PlannedFragment& planned : evidence.plan.fixation.fragments) {
-    if (planned.bone != 0) continue;
     const auto found = std::ranges::find_if(left.bodies, [&](const Body& body) {
       return body.name == planned.name && body.fragment >= 0;
     });

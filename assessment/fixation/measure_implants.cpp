@@ -9,6 +9,7 @@
 #include "assessment/make_measurement.h"
 #include "scenarios/metric_names.h"
 #include "scenarios/site/bone_words.h"
+#include "scenarios/site/plan_in_first.h"
 #include "simulator/base/units.h"
 
 namespace hallux::assessment {
@@ -89,7 +90,7 @@ struct Setting {
 class ImplantMetrics {
  public:
   ImplantMetrics(const WhatIsLeft& left, const Evidence& evidence)
-      : left_(left), plan_(evidence.plan.fixation) {
+      : left_(left), plan_(plan_in_first(evidence.plan, evidence.bones).fixation) {
     for (const OperationStep& step : evidence.scenario.steps) {
       if (step.implants.empty()) continue;
       Setting setting{&step, 0};
@@ -192,7 +193,7 @@ class ImplantMetrics {
   }
 
   const WhatIsLeft& left_;
-  const scenarios::PlannedFixation& plan_;
+  const scenarios::PlannedFixation plan_;
   std::vector<Setting> settings_;
 };
 

@@ -3,11 +3,11 @@
 namespace hallux::assessment {
 
 WhatIsLeft what_is_left(const simulator::Recording& recording, const RebuiltBone& rebuilt,
-                        const simulator::Bone& bone, const scenarios::Plan& plan) {
+                        const simulator::Bones& bones, const scenarios::Plan& plan) {
   WhatIsLeft left;
-  left.bodies = bodies_of(rebuilt, plan, bone.name);
+  left.bodies = bodies_of(rebuilt, plan, bones);
   left.placements = placements_of(left.bodies, rebuilt, plan);
-  left.fixation = fixation_of(recording, rebuilt, left.bodies, bone, plan);
+  left.fixation = fixation_of(recording, rebuilt, left.bodies, bones, plan);
   left.is_held = held_by(left.fixation, left.bodies);
   return left;
 }

@@ -17,9 +17,9 @@ struct WhatIsLeft {
   Fixation fixation;
 };
 
-/// rebuilt  from that recording of that bone
-/// plan     on that bone
+/// rebuilt  from that recording of those bones
+/// plan     on them
 WhatIsLeft what_is_left(const simulator::Recording& recording, const RebuiltBone& rebuilt,
-                        const simulator::Bone& bone, const scenarios::Plan& plan);
+                        const simulator::Bones& bones, const scenarios::Plan& plan);
 
 }  // namespace hallux::assessment

@@ -1,7 +1,5 @@
 #include "assessment/process/followed_effects.h"
 
-#include "assessment/process/standing_wound.h"
-
 namespace hallux::assessment {
 
 namespace {
@@ -9,18 +7,12 @@ namespace {
 using simulator::CutEvent;
 using simulator::CutEventKind;
 
-std::vector<simulator::DangerCapsule> capsules_of(const scenarios::Plan& plan) {
-  std::vector<simulator::DangerCapsule> capsules;
-  for (const scenarios::PlannedZone& zone : plan.danger_zones) capsules.push_back(zone.capsule);
-  return capsules;
-}
-
 }  // namespace
 
-FollowedEffects::FollowedEffects(const simulator::Bone& bone, const simulator::Saw& saw,
+FollowedEffects::FollowedEffects(const simulator::Bones& bones, const simulator::Saw& saw,
                                  const scenarios::Plan& plan)
-    : tissue_(bone),
-      effects_(bone.world_from_bone, {saw, false}, capsules_of(plan)),
+    : tissues_(bones),
+      effects_(bones.first().world_from_bone, {saw, false}, capsules_of(plan.danger_zones, bones)),
       steps_(saw.blade, plan.danger_zones.size()),
       contacts_(plan.danger_zones.size()) {}
 
@@ -29,19 +21,31 @@ void FollowedEffects::follow(const simulator::ToolSample& sample, const simulato
     tool_ = kerfs.tool();
     effects_.hold(kerfs.tray()[tool_]);
   }
-  effects_.apply(sample, standing_wound(tissue_, kerfs));
+  effects_.apply(sample, standing_wound(tissues_, kerfs));
   steps_.note(sample, effects_);
-  for (CutEvent event; effects_.take_event(kerfs, event);) note(event);
+  for (CutEvent event; effects_.take_event(kerfs, event);) note(event, kerfs);
   for (std::size_t index = 0; index < contacts_.size(); ++index) {
     if (contacts_[index] && zone(index).state == simulator::DangerState::Contact)
       contacts_[index]->last_tick = sample.tick;
   }
 }
 
-void FollowedEffects::note(const CutEvent& event) {
+std::vector<const simulator::Bvh*> FollowedEffects::surfaces() const {
+  std::vector<const simulator::Bvh*> all;
+  for (const simulator::TissueMap& tissue : tissues_.maps) all.push_back(&tissue.surface());
+  return all;
+}
+
+void FollowedEffects::note(const CutEvent& event, const simulator::KerfSet& kerfs) {
   const Vec3 place_mm = transform_from(event.pose).translation_mm;
-  if (event.kind == CutEventKind::BoneHot && !hot_) hot_ = HeatPlace{event.tick, place_mm};
-  if (event.kind == CutEventKind::BoneNecrosis && !dead_) dead_ = HeatPlace{event.tick, place_mm};
+  const bool is_hot = event.kind == CutEventKind::BoneHot;
+  if (is_hot || event.kind == CutEventKind::BoneNecrosis) {
+    const std::int32_t bone = kerfs.fragments()[kerfs.fragment_of(event.subject)].bone;
+    const RigidTransform& first_from_bone =
+        tissues_.first_from_bones[static_cast<std::size_t>(bone)];
+    std::optional<HeatPlace>& first = is_hot ? hot_ : dead_;
+    if (!first) first = HeatPlace{event.tick, transform_point(first_from_bone, place_mm)};
+  }
   if (event.kind != CutEventKind::DangerContact) return;
   std::optional<ZoneContacts>& contacts = contacts_[static_cast<std::size_t>(event.subject)];
   if (!contacts) contacts = ZoneContacts{event.tick, event.tick, place_mm};

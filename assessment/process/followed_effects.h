@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "assessment/process/effect_steps.h"
+#include "assessment/process/standing_wound.h"
 #include "scenarios/plan.h"
-#include "simulator/mesh/bone.h"
 #include "simulator/step/tool_effects.h"
 
 namespace hallux::assessment {
@@ -20,7 +20,7 @@ struct ZoneContacts {
   Vec3 place_in_bone_mm{0.0, 0.0, 0.0};
 };
 
-/// Where and when bone first became too hot.
+/// Where and when bone first became too hot, in the frame of the first bone.
 struct HeatPlace {
   std::int64_t tick = 0;
   Vec3 place_in_bone_mm{0.0, 0.0, 0.0};
@@ -28,15 +28,15 @@ struct HeatPlace {
 
 class FollowedEffects {
  public:
-  /// Borrows the bone.
-  FollowedEffects(const simulator::Bone& bone, const simulator::Saw& saw,
+  /// Borrows the bones.
+  FollowedEffects(const simulator::Bones& bones, const simulator::Saw& saw,
                   const scenarios::Plan& plan);
 
   /// needs   samples in their order; `kerfs` as they stand after the sample
   void follow(const simulator::ToolSample& sample, const simulator::KerfSet& kerfs);
 
-  /// Of the bone as it was, in its frame.
-  const simulator::Bvh& surface() const noexcept { return tissue_.surface(); }
+  /// Of each bone as it was, in its frame.
+  std::vector<const simulator::Bvh*> surfaces() const;
   /// Per danger zone of the plan.
   const simulator::DangerTrack& zone(std::size_t index) const noexcept {
     return effects_.danger().tracks()[index];
@@ -62,9 +62,9 @@ class FollowedEffects {
   const std::optional<HeatPlace>& dead() const noexcept { return dead_; }
 
  private:
-  void note(const simulator::CutEvent& event);
+  void note(const simulator::CutEvent& event, const simulator::KerfSet& kerfs);
 
-  simulator::TissueMap tissue_;
+  BoneTissues tissues_;
   simulator::ToolEffects effects_;
   /// In the hand: its place on the tray.
   std::int32_t tool_ = 0;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "scenarios/faces/windowed_region.h"
-#include "simulator/record/fragment_poses.h"
+#include "simulator/jobs/lying_bones.h"
 
 namespace hallux::assessment {
 
@@ -54,7 +54,7 @@ Beyond beyond(const RigidTransform& fragment_from_tool, double width_mm, const V
 }  // namespace
 
 OverCut measure_over_cut(const simulator::Recording& recording, const RebuiltBone& rebuilt,
-                         const simulator::Bone& bone, std::span<const std::int32_t> kerfs,
+                         const simulator::Bones& bones, std::span<const std::int32_t> kerfs,
                          const PlannedCut& cut) {
   const Vec3 outward = -cut.approach_in_bone;
   std::vector<double> limits_mm(rebuilt.kerfs.size(), INFINITY);
@@ -62,7 +62,7 @@ OverCut measure_over_cut(const simulator::Recording& recording, const RebuiltBon
     const auto index = static_cast<std::size_t>(kerf);
     limits_mm[index] = far_surface_mm(rebuilt.kerfs[index], cut, outward);
   }
-  simulator::FragmentPoses fragments(bone.world_from_bone);
+  simulator::FragmentPoses fragments = poses_of(bones);
   const simulator::Tray& tray = rebuilt.fields.tray();
   std::int32_t in_hand = 0;
   OverCut over;

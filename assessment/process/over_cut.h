@@ -27,7 +27,7 @@ struct OverCut {
 /// kerf of a fragment that lies elsewhere is measured where that was cut.
 /// needs  samples and events are in the order of their ticks
 OverCut measure_over_cut(const simulator::Recording& recording, const RebuiltBone& rebuilt,
-                         const simulator::Bone& bone, std::span<const std::int32_t> kerfs,
+                         const simulator::Bones& bones, std::span<const std::int32_t> kerfs,
                          const scenarios::PlannedCut& cut);
 
 }  // namespace hallux::assessment

@@ -30,6 +30,18 @@ inline std::optional<std::int64_t> last_tick_of(const simulator::Recording& reco
   return tick;
 }
 
+/// The event that closed a hinge of the plan last, or null. Old engines numbered no hinges, and had
+/// one.
+inline const simulator::CutEvent* closing_of(const simulator::Recording& recording,
+                                             std::size_t hinge) noexcept {
+  const simulator::CutEvent* closing = nullptr;
+  for (const simulator::CutEvent& event : recording.events) {
+    const bool is_of_it = event.subject < 0 || event.subject == static_cast<std::int32_t>(hinge);
+    if (event.kind == simulator::CutEventKind::HingeClosed && is_of_it) closing = &event;
+  }
+  return closing;
+}
+
 /// The ticks that a sample covers: those since the one before, where no more were missed than one
 /// line of a tape may cover.
 inline std::int64_t ticks_covered(std::span<const simulator::ToolSample> samples,

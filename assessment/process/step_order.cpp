@@ -47,8 +47,11 @@ std::optional<std::int64_t> tick_of(const Evidence& evidence, std::size_t index)
       return sawn_tick(evidence, step.cut);
     case StepKind::Remove:
       return removed_tick(evidence, index);
-    case StepKind::Close:
-      return last_tick_of(evidence.recording, CutEventKind::HingeClosed);
+    case StepKind::Close: {
+      const CutEvent* const closing =
+          closing_of(evidence.recording, index_of_hinge(evidence.plan, step.hinge));
+      return closing == nullptr ? std::nullopt : std::optional(closing->tick);
+    }
     case StepKind::Finish:
       return last_tick_of(evidence.recording, CutEventKind::Finished);
     default:

@@ -41,22 +41,26 @@ int passes_of(const scenarios::PlannedImplant& implant) noexcept {
 /// What a step sets counts where the step was done: whoever leaves it out has no shorter way for
 /// it.
 double shortest_mm(const Evidence& evidence, const Vec3& from_in_bone_mm) {
-  const auto strokes = planned_strokes(evidence.scenario, evidence.bone, evidence.plan);
+  const auto strokes = planned_strokes(evidence.scenario, evidence.bones, evidence.plan);
   auto stroke = strokes.begin();
   ShortestWay way(from_in_bone_mm);
+  const auto in_first = [&](std::size_t bone, const Vec3& point_mm) {
+    return transform_point(first_from(evidence.bones, bone), point_mm);
+  };
   for (std::size_t index = 0; index < evidence.scenario.steps.size(); ++index) {
     const scenarios::OperationStep& step = evidence.scenario.steps[index];
     if (is_sawn(step)) {
       const std::size_t cut = index_of_cut(evidence.plan, step.cut);
       for (; stroke != strokes.end() && stroke->cut == cut; ++stroke)
-        way.go_in(stroke->bone_from_tool(stroke->first_mm).translation_mm,
+        way.go_in(in_first(evidence.plan.cuts[cut].bone,
+                           stroke->bone_from_tool(stroke->first_mm).translation_mm),
                   stroke->last_mm - stroke->first_mm);
     }
     if (!last_tick_of(evidence.recording, simulator::CutEventKind::StepDone, index)) continue;
     for (const std::string& name : step.implants) {
       const scenarios::PlannedImplant& implant = *find_implant(evidence.plan.fixation, name);
       for (int pass = 0; pass < passes_of(implant); ++pass)
-        way.go_in(implant.entry_in_bone_mm, implant.length_mm);
+        way.go_in(in_first(implant.bone, implant.entry_in_bone_mm), implant.length_mm);
     }
   }
   return way.length_mm();
@@ -105,7 +109,7 @@ std::optional<Way> way_along(const std::vector<PlaceStretch>& stretches) {
 }  // namespace
 
 std::optional<Finding> measure_path_ratio(const Evidence& evidence, const simulator::Bvh& surface) {
-  const RigidTransform bone_from_world = inverse(evidence.bone.world_from_bone);
+  const RigidTransform bone_from_world = inverse(evidence.bones.first().world_from_bone);
   NearBone near(surface);
   const auto tip_near_bone = [&](const TapeLine&, const ToolSample& sample) -> std::optional<Vec3> {
     const Vec3 tip_mm = tip_in_bone_mm(sample, bone_from_world);

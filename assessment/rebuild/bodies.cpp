@@ -48,26 +48,31 @@ const scenarios::PlannedFragment* planned_as(const Body& body, const RebuiltBone
   const auto& fragments = plan.fixation.fragments;
   const auto found = std::find_if(
       fragments.begin(), fragments.end(), [&](const scenarios::PlannedFragment& fragment) {
-        return fragment.bone == 0 &&
-               body.volume_mm3 * body.volume_mm3 < fragment.volume_mm3 * rebuilt.input_mm3 &&
+        return fragment.bone == body.bone &&
+               body.volume_mm3 * body.volume_mm3 <
+                   fragment.volume_mm3 * rebuilt.inputs_mm3[body.bone] &&
                body.tree->contains(fragment.holds_in_bone_mm);
       });
   return found == fragments.end() ? nullptr : &*found;
 }
 
-/// Of the bodies that are there, the greatest that is no planned fragment goes by the bone's name.
+/// Of the bodies that are there, the greatest of each bone that is no planned fragment goes by the
+/// bone's name.
 void name_bodies(std::vector<Body>& bodies, const RebuiltBone& rebuilt, const scenarios::Plan& plan,
-                 const std::string& bone_name) {
-  Body* rest = nullptr;
+                 const simulator::Bones& bones) {
+  std::vector<Body*> rests(bones.size(), nullptr);
   for (Body& body : bodies) {
     body.name = "body-" + std::to_string(body.piece + 1);
+    Body*& rest = rests[body.bone];
     if (const auto* planned = planned_as(body, rebuilt, plan)) {
       body.name = planned->name;
     } else if (body.fragment >= 0 && (rest == nullptr || body.volume_mm3 > rest->volume_mm3)) {
       rest = &body;
     }
   }
-  if (rest != nullptr) rest->name = bone_name;
+  for (std::size_t bone = 0; bone < bones.size(); ++bone) {
+    if (rests[bone] != nullptr) rests[bone]->name = bones[bone].name;
+  }
 }
 
 struct SurfacePoint {
@@ -111,14 +116,14 @@ std::vector<SurfacePoint> sawn_points(const CutSolid& solid) {
 }
 
 /// Visits the nearest point of each other body that is there within the distance: visit(signed_mm,
-/// way), with the way to it in the bone frame; negative inside.
+/// way), with the way to it in the frame of the first bone, as the point; negative inside.
 template <typename Visit>
-void visit_others(const std::vector<Body>& bodies, const Body& body, const Vec3& point_in_bone_mm,
+void visit_others(const std::vector<Body>& bodies, const Body& body, const Vec3& point_in_first_mm,
                   double within_mm, const Visit& visit) {
   for (const Body& other : bodies) {
     if (&other == &body || other.fragment < 0) continue;
-    const RigidTransform& pose = other.bone_from_piece;
-    const Vec3 point_mm = transform_point(inverse(pose), point_in_bone_mm);
+    const RigidTransform& pose = other.first_from_piece;
+    const Vec3 point_mm = transform_point(inverse(pose), point_in_first_mm);
     const auto near = other.tree->nearest(point_mm, within_mm);
     if (!near) continue;
     const double signed_mm = near->is_inside ? -near->distance_mm : near->distance_mm;
@@ -130,8 +135,8 @@ void measure_contact(const std::vector<Body>& bodies, const Body& body, const Cu
                      BodyPlacement& placement) {
   double sawn_mm2 = 0.0, touching_mm2 = 0.0, unsure_mm2 = 0.0;
   for (const SurfacePoint& sample : sawn_points(solid)) {
-    const Vec3 point_mm = transform_point(body.bone_from_piece, sample.point_mm);
-    const Vec3 normal = transform_direction(body.bone_from_piece, sample.normal);
+    const Vec3 point_mm = transform_point(body.first_from_piece, sample.point_mm);
+    const Vec3 normal = transform_direction(body.first_from_piece, sample.normal);
     bool is_touching = false, is_sure = true;
     double gap_mm = std::numeric_limits<double>::infinity();
     visit_others(bodies, body, point_mm, facing_mm, [&](double signed_mm, const Vec3& way) {
@@ -155,7 +160,7 @@ void measure_contact(const std::vector<Body>& bodies, const Body& body, const Cu
 double overlap_mm(const std::vector<Body>& bodies, const Body& body, const CutSolid& solid) {
   double most_mm = 0.0;
   const auto ask = [&](const Vec3& point_in_piece_mm) {
-    const Vec3 point_mm = transform_point(body.bone_from_piece, point_in_piece_mm);
+    const Vec3 point_mm = transform_point(body.first_from_piece, point_in_piece_mm);
     visit_others(bodies, body, point_mm, facing_mm,
                  [&](double signed_mm, const Vec3&) { most_mm = std::max(most_mm, -signed_mm); });
   };
@@ -180,20 +185,23 @@ ClosedHinges hinges_of(const scenarios::Plan& plan) {
 }
 
 std::vector<Body> bodies_of(const RebuiltBone& rebuilt, const scenarios::Plan& plan,
-                            const std::string& bone_name) {
+                            const simulator::Bones& bones) {
   std::vector<Body> bodies;
   for (std::size_t piece = 0; piece < rebuilt.pieces.size(); ++piece) {
     Body body;
     body.piece = piece;
+    body.bone = rebuilt.piece_bones[piece];
     body.fragment = fragment_of(piece, rebuilt);
     if (body.fragment >= 0)
       body.bone_from_piece = rebuilt.fields.fragments()[body.fragment].bone_from_fragment;
+    body.first_from_piece =
+        body.bone == 0 ? body.bone_from_piece : first_from(bones, body.bone) * body.bone_from_piece;
     body.centroid_in_bone_mm = simulator::centroid_of(rebuilt.pieces[piece].mesh);
     body.volume_mm3 = rebuilt.piece_volumes_mm3[piece];
     body.tree = std::make_unique<const Bvh>(rebuilt.pieces[piece].mesh);
     bodies.push_back(std::move(body));
   }
-  name_bodies(bodies, rebuilt, plan, bone_name);
+  name_bodies(bodies, rebuilt, plan, bones);
   return bodies;
 }
 

@@ -14,17 +14,21 @@
 
 namespace hallux::assessment {
 
-/// A connected part of the bone.
+/// A connected part of a bone.
 struct Body {
-  /// Of the planned fragment that it is; of the rest of the bone, the bone's; else "body-2", by its
+  /// Of the planned fragment that it is; of the rest of a bone, the bone's; else "body-2", by its
   /// place among the pieces.
   std::string name;
   /// Of RebuiltBone::pieces.
   std::size_t piece = 0;
   /// That it goes along with; -1: it was taken out.
   std::int32_t fragment = 0;
+  /// Of the patient's bones, in whose frame it is said.
+  std::size_t bone = 0;
   /// From where it was cut to where it lies.
   RigidTransform bone_from_piece;
+  /// The same in the frame of the first bone: where bodies of several meet.
+  RigidTransform first_from_piece;
   /// Where it was cut.
   Vec3 centroid_in_bone_mm{0.0, 0.0, 0.0};
   double volume_mm3 = 0.0;
@@ -36,9 +40,9 @@ struct Body {
 ClosedHinges hinges_of(const scenarios::Plan& plan);
 
 /// In the order of the pieces, what was taken out last.
-/// bone_name  of the bone that was operated on
+/// bones  that were operated on
 std::vector<Body> bodies_of(const RebuiltBone& rebuilt, const scenarios::Plan& plan,
-                            const std::string& bone_name);
+                            const simulator::Bones& bones);
 
 /// A sawn face is sampled so that each point of it has a sample this near.
 inline constexpr double sample_reach_mm = 0.5;

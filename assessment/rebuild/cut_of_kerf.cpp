@@ -163,7 +163,10 @@ std::vector<std::size_t> cuts_of_kerfs(const RebuiltBone& rebuilt, const Plan& p
   cuts.reserve(at_hand.size());
   for (std::int32_t kerf = 0; kerf < rebuilt.fields.count(); ++kerf) {
     const std::optional<std::size_t>& told = at_hand[static_cast<std::size_t>(kerf)];
-    cuts.push_back(told ? *told : scenarios::nearest_cut(rebuilt.fields.plane(kerf), plan));
+    const std::size_t bone = bone_of(rebuilt, kerf);
+    const bool is_of_it = told && plan.cuts[*told].bone == bone;
+    cuts.push_back(is_of_it ? *told
+                            : scenarios::nearest_cut(rebuilt.fields.plane(kerf), plan, bone));
   }
   for (const PlannedHinge& hinge : plan.hinges) {
     SharedWedge(rebuilt, plan, hinge).share(cuts, at_hand);

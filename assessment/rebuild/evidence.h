@@ -8,7 +8,7 @@
 #include "assessment/rebuild/rebuild.h"
 #include "scenarios/plan.h"
 #include "scenarios/scenario.h"
-#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bones.h"
 #include "simulator/record/tape_lines.h"
 
 namespace hallux::assessment {
@@ -20,7 +20,7 @@ struct Evidence {
   const RebuiltBone& rebuilt;
   /// Per planned cut (see faces_of_cut).
   const std::vector<std::vector<CutFace>>& faces;
-  const simulator::Bone& bone;
+  simulator::Bones bones;
   /// Samples and events in the order of their ticks.
   const simulator::Recording& recording;
   /// Of that recording, in the order of ticks; none where only geometry is measured.

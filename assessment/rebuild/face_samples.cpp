@@ -184,9 +184,10 @@ void count_row(WindowCount& count, const RebuiltBone& rebuilt, std::int32_t inde
                const std::vector<double>& borders_mm, const std::vector<Vec2>& row,
                const IsWanted& is_wanted) {
   const KerfPlane& plane = rebuilt.fields.plane(index);
+  const std::size_t bone = bone_of(rebuilt, index);
   for (const Vec2& place_mm : row) {
     const Vec3 point_mm = transform_point(plane.bone_from_kerf, Vec3{place_mm.x, place_mm.y, 0.0});
-    if (kerf_open_at(rebuilt, point_mm, index) >= 0) return;
+    if (kerf_open_at(rebuilt, bone, point_mm, index) >= 0) return;
     if (!is_wanted(point_mm)) continue;
     const auto above = std::upper_bound(borders_mm.begin(), borders_mm.end(), place_mm.x);
     const bool is_bone = (above - borders_mm.begin()) % 2 != 0;
@@ -226,9 +227,10 @@ double opened_share_of(const RebuiltBone& rebuilt, std::int32_t index, bool is_r
 
 }  // namespace
 
-std::int32_t kerf_open_at(const RebuiltBone& rebuilt, const Vec3& point_mm, std::int32_t but_for) {
+std::int32_t kerf_open_at(const RebuiltBone& rebuilt, std::size_t bone, const Vec3& point_mm,
+                          std::int32_t but_for) {
   for (std::int32_t kerf = 0; kerf < rebuilt.fields.count(); ++kerf) {
-    if (kerf == but_for) continue;
+    if (kerf == but_for || bone_of(rebuilt, kerf) != bone) continue;
     const Vec3 local = transform_point(rebuilt.fields.kerf_from_bone(kerf), point_mm);
     const double half_mm = 0.5 * rebuilt.fields.plane(kerf).thickness_mm;
     if (std::abs(local.z) > half_mm) continue;

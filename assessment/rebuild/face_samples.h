@@ -38,8 +38,9 @@ FaceSamples sample_opened(const RebuiltKerf& kerf, const simulator::KerfField& f
 std::vector<Vec3> points_opened(const RebuiltKerf& kerf, const simulator::KerfField& field,
                                 double step_mm);
 
-/// The first kerf whose slab is open at this point, but for one; -1 where none is.
-std::int32_t kerf_open_at(const RebuiltBone& rebuilt, const Vec3& point_mm,
+/// The first kerf of that bone whose slab is open at this point of its frame, but for one; -1 where
+/// none is.
+std::int32_t kerf_open_at(const RebuiltBone& rebuilt, std::size_t bone, const Vec3& point_mm,
                           std::int32_t but_for = -1);
 
 /// How much of the window, of the regions that the blade touched, kerf `index` opened [0, 1]. Bone

@@ -11,6 +11,7 @@
 #include "simulator/bone/close_bridge.h"
 #include "simulator/cutting/solid/opened_volume.h"
 #include "simulator/cutting/solid/slab_volume.h"
+#include "simulator/jobs/lying_bones.h"
 
 namespace hallux::assessment {
 
@@ -133,16 +134,20 @@ void open_until(simulator::KerfSet& kerfs, const Recording& recording, std::size
 
 }  // namespace
 
-FragmentSolids::FragmentSolids(RebuiltBone& rebuilt, const simulator::Bone& bone,
+FragmentSolids::FragmentSolids(RebuiltBone& rebuilt, const simulator::Bones& bones,
                                const ClosedHinges& hinges)
-    : rebuilt_(rebuilt), hinges_(hinges), world_from_bone_(bone.world_from_bone) {
-  add(simulator::uncut_solid(solid_of(bone)), 0);
-  rebuilt_.input_mm3 = signed_volume_mm3(standing_[0].whole.own->solid.mesh);
+    : rebuilt_(rebuilt), hinges_(hinges), bones_(bones), gone_(bones.size()) {
+  for (std::size_t i = 0; i < bones.size(); ++i) {
+    add(simulator::uncut_solid(solid_of(bones[i])), static_cast<std::int32_t>(i), i);
+    rebuilt_.inputs_mm3.push_back(signed_volume_mm3(standing_.back().whole.own->solid.mesh));
+    rebuilt_.input_mm3 += rebuilt_.inputs_mm3.back();
+  }
 }
 
-void FragmentSolids::add(CutSolid solid, std::int32_t piece) {
+void FragmentSolids::add(CutSolid solid, std::int32_t piece, std::size_t bone) {
   standing_.emplace_back();
   standing_.back().piece = piece;
+  standing_.back().bone = bone;
   stand_again(standing_.back(), std::move(solid));
 }
 
@@ -209,7 +214,7 @@ void FragmentSolids::leave_taken_before(Standing& standing) {
   std::vector<CutSolid> gone = taken_from(solids, {standing.taken.begin(), later});
   standing.taken.erase(standing.taken.begin(), later);
   if (gone.empty() || solids.empty()) return;
-  std::move(gone.begin(), gone.end(), std::back_inserter(gone_));
+  let_go(std::move(gone), standing.bone);
   standing.left.bone.reset();
   standing.left = sawn_from(gathered(solids));
   standing.left_from = standing.cut_count;
@@ -238,9 +243,10 @@ void FragmentSolids::cut(Standing& standing, std::int32_t kerf_number) {
 void FragmentSolids::part(const Recording& recording, std::size_t event) {
   const std::int32_t piece = recording.events[event].subject;
   const auto parent = static_cast<std::size_t>(recording.events[event].value);
+  const std::size_t bone = standing_[parent].bone;
   CutSolid parted;
   if (standing_[parent].whole.bone == nullptr) {
-    add(std::move(parted), piece);
+    add(std::move(parted), piece, bone);
     return;
   }
   if (const std::optional<std::size_t> hinge = closed_hinge(recording, event)) {
@@ -250,7 +256,7 @@ void FragmentSolids::part(const Recording& recording, std::size_t event) {
   } else if (const auto place_mm = place_of_piece(recording, event, piece)) {
     parted = part_from(*place_mm, standing_[parent]);
   }
-  add(std::move(parted), piece);
+  add(std::move(parted), piece, bone);
 }
 
 /// What turns at the hinge; the rest stands.
@@ -259,7 +265,7 @@ CutSolid FragmentSolids::part_at(const simulator::PlannedBridge& bridge, Standin
   std::vector<CutSolid> gone = taken_from(left, parent.taken);
   simulator::ClosedHinge closed = close_bridge(*parent.whole.bone, gathered(left), bridge);
   if (closed.outcome != simulator::HingeOutcome::Closed) return {};
-  std::move(gone.begin(), gone.end(), std::back_inserter(gone_));
+  let_go(std::move(gone), parent.bone);
   stand_again(parent, std::move(closed.fixed));
   return std::move(closed.moved);
 }
@@ -268,7 +274,7 @@ CutSolid FragmentSolids::part_at(const simulator::PlannedBridge& bridge, Standin
 CutSolid FragmentSolids::part_from(const Vec3& place_mm, Standing& parent) {
   std::vector<CutSolid> left = split_pieces(parent.sawn().bone->after_all()), parted;
   std::vector<CutSolid> gone = taken_from(left, parent.taken);
-  std::move(gone.begin(), gone.end(), std::back_inserter(gone_));
+  let_go(std::move(gone), parent.bone);
   move_those_at(place_mm, left, parted);
   stand_again(parent, gathered(left));
   return gathered(parted);
@@ -297,14 +303,17 @@ std::vector<CutSolid> FragmentSolids::taken_from(std::vector<CutSolid>& solids,
 void FragmentSolids::take_out(const Recording& recording, std::size_t event) {
   const CutEvent& removal = recording.events[event];
   for (Standing& standing : standing_) {
-    if (standing.piece != removal.subject || removal.subject == 0) continue;
+    if (standing.piece != removal.subject ||
+        removal.subject < static_cast<std::int32_t>(bones_.size()))
+      continue;
     standing.is_out = true;
     return;
   }
   if (recording.engine < first_engine_with_places) return;
   const Vec3 inside_mm = place_of(removal);
+  const std::size_t bone = bone_of_piece(recording, event, rebuilt_.fields.fragments());
   for (Standing& standing : standing_) {
-    if (standing.is_out || standing.whole.own == nullptr) continue;
+    if (standing.is_out || standing.whole.own == nullptr || standing.bone != bone) continue;
     if (!standing.whole.own->tree.contains(inside_mm)) continue;
     standing.taken.push_back(
         {inside_mm, standing.kerfs.size(), body_then(standing, recording, event)});
@@ -317,7 +326,7 @@ std::unique_ptr<const Bvh> FragmentSolids::body_then(const Standing& standing,
                                                      const Recording& recording,
                                                      std::size_t event) const {
   if (!goes_on_in_kerfs(recording, event)) return nullptr;
-  simulator::KerfSet then(rebuilt_.fields.tray(), world_from_bone_);
+  simulator::KerfSet then(rebuilt_.fields.tray(), poses_of(bones_));
   open_until(then, recording, event);
   CutBone bone(*standing.whole.own);
   for (const std::int32_t kerf : standing.kerfs) {
@@ -331,11 +340,16 @@ std::unique_ptr<const Bvh> FragmentSolids::body_then(const Standing& standing,
   return nullptr;
 }
 
-void FragmentSolids::keep(std::vector<CutSolid> solids, bool are_out) {
+void FragmentSolids::let_go(std::vector<CutSolid> gone, std::size_t bone) {
+  std::move(gone.begin(), gone.end(), std::back_inserter(gone_[bone]));
+}
+
+void FragmentSolids::keep(std::vector<CutSolid> solids, std::size_t bone, bool are_out) {
   simulator::SortedBodies sorted = sort_bodies(std::move(solids));
   std::move(sorted.bodies.begin(), sorted.bodies.end(), std::back_inserter(rebuilt_.pieces));
   rebuilt_.piece_volumes_mm3.insert(rebuilt_.piece_volumes_mm3.end(), sorted.volumes_mm3.begin(),
                                     sorted.volumes_mm3.end());
+  rebuilt_.piece_bones.resize(rebuilt_.pieces.size(), bone);
   rebuilt_.is_piece_out.resize(rebuilt_.pieces.size(), are_out);
   rebuilt_.debris_mm3 += sorted.debris_mm3;
   rebuilt_.debris_count += static_cast<std::int32_t>(sorted.crumbs.size());
@@ -356,12 +370,12 @@ void FragmentSolids::keep_pieces() {
   for (const Standing& standing : standing_) {
     const std::size_t first = rebuilt_.pieces.size();
     if (standing.whole.bone != nullptr)
-      keep(split_pieces(standing.sawn().bone->after_all()), standing.is_out);
+      keep(split_pieces(standing.sawn().bone->after_all()), standing.bone, standing.is_out);
     mark_taken(standing, first);
     rebuilt_.fragments.push_back(
         {standing.piece, first, rebuilt_.pieces.size() - first, standing.is_out});
   }
-  keep(std::move(gone_), true);
+  for (std::size_t bone = 0; bone < gone_.size(); ++bone) keep(std::move(gone_[bone]), bone, true);
 }
 
 }  // namespace hallux::assessment

@@ -26,7 +26,7 @@ class FragmentSolids {
  public:
   /// Fills in what the solids tell of `rebuilt`: borrowed, as is the rest.
   /// needs   its kerfs are frozen and open
-  FragmentSolids(RebuiltBone& rebuilt, const simulator::Bone& bone, const ClosedHinges& hinges);
+  FragmentSolids(RebuiltBone& rebuilt, const simulator::Bones& bones, const ClosedHinges& hinges);
 
   /// Parts and cuts in the order of the events.
   /// done    told the share that is done; what it throws ends the work
@@ -60,13 +60,15 @@ class FragmentSolids {
     /// By time.
     std::vector<TakenPiece> taken;
     std::int32_t piece = 0;
+    /// Whose frame it has.
+    std::size_t bone = 0;
     bool is_out = false;
 
     /// Which is cut.
     const Sawn& sawn() const noexcept { return left.bone != nullptr ? left : whole; }
   };
 
-  void add(simulator::CutSolid solid, std::int32_t piece);
+  void add(simulator::CutSolid solid, std::int32_t piece, std::size_t bone);
   void cut_kerfs(Standing& standing, const std::function<void()>& cut_one);
   void cut(Standing& standing, std::int32_t kerf);
   void part(const simulator::Recording& recording, std::size_t event);
@@ -85,15 +87,17 @@ class FragmentSolids {
                                                   const simulator::Recording& recording,
                                                   std::size_t event) const;
   void keep_pieces();
-  void keep(std::vector<simulator::CutSolid> solids, bool are_out);
+  void keep(std::vector<simulator::CutSolid> solids, std::size_t bone, bool are_out);
+  /// They are pieces no more.
+  void let_go(std::vector<simulator::CutSolid> gone, std::size_t bone);
   void mark_taken(const Standing& standing, std::size_t first);
 
   RebuiltBone& rebuilt_;
   const ClosedHinges& hinges_;
-  RigidTransform world_from_bone_;
+  simulator::Bones bones_;
   std::vector<Standing> standing_;
-  /// Pieces that were taken out of a fragment before it was sawn on or parted.
-  std::vector<simulator::CutSolid> gone_;
+  /// By bone: pieces that were taken out of a fragment before it was sawn on or parted.
+  std::vector<std::vector<simulator::CutSolid>> gone_;
 };
 
 }  // namespace hallux::assessment

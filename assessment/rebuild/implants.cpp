@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <memory>
 
+#include "assessment/rebuild/bone_surfaces.h"
 #include "assessment/rebuild/planned_implants.h"
+#include "scenarios/site/plan_in_first.h"
 #include "simulator/cutting/hole/axis_clearance.h"
 #include "simulator/cutting/hole/bore_set.h"
 #include "simulator/cutting/hole/hole_volume.h"
 #include "simulator/cutting/hole/skin_crossings.h"
+#include "simulator/jobs/lying_bones.h"
 #include "simulator/mesh/bvh.h"
 
 namespace hallux::assessment {
@@ -33,9 +36,9 @@ struct Leaving {
 /// Bores, implants and fragments at the end, and of each implant how it was left.
 struct Left {
   Left(const simulator::Recording& recording, const RebuiltBone& rebuilt,
-       const RigidTransform& world_from_bone)
+       const simulator::Bones& bones)
       : bores(rebuilt.fields.tray()), implants(rebuilt.fields.tray()) {
-    simulator::FragmentPoses fragments(world_from_bone);
+    simulator::FragmentPoses fragments = poses_of(bones);
     auto event = recording.events.begin();
     for (const simulator::ToolSample& sample : recording.samples) {
       for (; event != recording.events.end() && event->tick <= sample.tick; ++event)
@@ -58,11 +61,14 @@ struct Left {
   }
 };
 
-/// Where a fragment lay; before it was parted, with the one that it was a part of.
-const RigidTransform& pose_of(std::int32_t fragment, const simulator::FragmentPoses& then,
-                              const simulator::FragmentPoses& last) {
+/// Where a fragment lay, in the frame of the first bone; before it was parted, with the one that it
+/// was a part of.
+RigidTransform pose_of(std::int32_t fragment, const simulator::FragmentPoses& then,
+                       const simulator::FragmentPoses& last, const simulator::Bones& bones) {
   while (fragment >= then.count()) fragment = last[fragment].parent;
-  return then[fragment].bone_from_fragment;
+  const auto bone = static_cast<std::size_t>(then[fragment].bone);
+  const RigidTransform& bone_from_fragment = then[fragment].bone_from_fragment;
+  return bone == 0 ? bone_from_fragment : first_from(bones, bone) * bone_from_fragment;
 }
 
 /// An implant's axis as it lies.
@@ -70,23 +76,23 @@ struct Axis {
   Vec3 head_mm, tip_mm;
 };
 
-Axis axis_in_bone(const simulator::Implant& implant, const RigidTransform& bone_from_fragment) {
-  const RigidTransform pose = bone_from_fragment * implant.fragment_from_tool;
+Axis axis_in_first(const simulator::Implant& implant, const RigidTransform& first_from_fragment) {
+  const RigidTransform pose = first_from_fragment * implant.fragment_from_tool;
   return {pose.translation_mm - implant.size.length_mm * axis_x(pose), pose.translation_mm};
 }
 
-/// A body that is there, and how it lies.
+/// A body that is there, and how it lies in the frame of the first bone.
 struct LyingBody {
   const Body& body;
-  RigidTransform bone_from_piece;
+  RigidTransform first_from_piece;
 };
 
 std::vector<LyingBody> lying(const std::vector<Body>& bodies, const RebuiltBone& rebuilt,
-                             const simulator::FragmentPoses& then) {
+                             const simulator::FragmentPoses& then, const simulator::Bones& bones) {
   std::vector<LyingBody> lie;
   for (const Body& body : bodies) {
     if (body.fragment >= 0)
-      lie.push_back({body, pose_of(body.fragment, then, rebuilt.fields.fragments())});
+      lie.push_back({body, pose_of(body.fragment, then, rebuilt.fields.fragments(), bones)});
   }
   return lie;
 }
@@ -105,9 +111,9 @@ struct MetBody {
 
 MetBody meet(const Axis& axis, const LyingBody& lies, const CutSolid& solid, const Bvh& skin) {
   const Body& body = lies.body;
-  const RigidTransform piece_from_bone = inverse(lies.bone_from_piece);
-  const Vec3 head_mm = transform_point(piece_from_bone, axis.head_mm);
-  const Vec3 tip_mm = transform_point(piece_from_bone, axis.tip_mm);
+  const RigidTransform piece_from_first = inverse(lies.first_from_piece);
+  const Vec3 head_mm = transform_point(piece_from_first, axis.head_mm);
+  const Vec3 tip_mm = transform_point(piece_from_first, axis.tip_mm);
   const double length_mm = length_of(tip_mm - head_mm);
   MetBody met;
   for (const auto& inside : inside_intervals(*body.tree, head_mm, tip_mm)) {
@@ -129,11 +135,13 @@ MetBody meet(const Axis& axis, const LyingBody& lies, const CutSolid& solid, con
 /// Joint surfaces go along with the bodies that they are on.
 std::optional<double> joint_clearance_mm(const PlacedImplant& placed,
                                          const std::vector<LyingBody>& bodies,
-                                         const simulator::Bone& bone, const scenarios::Plan& plan) {
+                                         const simulator::Bones& bones,
+                                         const scenarios::Plan& plan) {
   std::optional<double> least_mm;
   for (const scenarios::PlannedJointSurface& joint : plan.joint_surfaces) {
-    if (joint.bone != 0) continue;
-    for (const auto& [body, bone_from_piece] : bodies) {
+    const simulator::Bone& bone = bones[joint.bone];
+    for (const auto& [body, first_from_piece] : bodies) {
+      if (body.bone != joint.bone) continue;
       std::vector<std::uint32_t> on_body;
       for (const std::uint32_t triangle : joint.triangles) {
         const auto& corners = bone.outer.triangles[triangle];
@@ -143,10 +151,10 @@ std::optional<double> joint_clearance_mm(const PlacedImplant& placed,
             3.0;
         if (body.tree->nearest(middle_mm, on_skin_mm)) on_body.push_back(triangle);
       }
-      const RigidTransform piece_from_bone = inverse(bone_from_piece);
+      const RigidTransform piece_from_first = inverse(first_from_piece);
       const auto away_mm =
-          simulator::axis_clearance_mm({transform_point(piece_from_bone, placed.entry_in_bone_mm),
-                                        transform_point(piece_from_bone, placed.tip_in_bone_mm)},
+          simulator::axis_clearance_mm({transform_point(piece_from_first, placed.entry_in_bone_mm),
+                                        transform_point(piece_from_first, placed.tip_in_bone_mm)},
                                        bone.outer, on_body);
       if (away_mm && (!least_mm || *away_mm < *least_mm)) least_mm = away_mm;
     }
@@ -170,7 +178,7 @@ void measure_holes(const simulator::BoreSet& bores, const std::vector<Body>& bod
 
 PlacedImplant place(const simulator::Implant& implant, const Axis& axis,
                     const std::vector<LyingBody>& bodies, const RebuiltBone& rebuilt,
-                    const Bvh& skin) {
+                    const BoneSurfaces& skins) {
   PlacedImplant placed;
   placed.is_screw = implant.size.is_screw;
   placed.tip_in_bone_mm = axis.tip_mm;
@@ -179,7 +187,7 @@ PlacedImplant place(const simulator::Implant& implant, const Axis& axis,
   placed.is_taken = implant.is_taken;
   std::optional<double> entry_mm, last_mm;
   for (const LyingBody& body : bodies) {
-    const MetBody met = meet(axis, body, rebuilt.pieces[body.body.piece], skin);
+    const MetBody met = meet(axis, body, rebuilt.pieces[body.body.piece], skins[body.body.bone]);
     placed.cortices += met.cortices;
     if (met.entry_mm && (!entry_mm || *met.entry_mm < *entry_mm)) entry_mm = met.entry_mm;
     if (met.last_mm && (!last_mm || *met.last_mm > *last_mm)) {
@@ -206,26 +214,26 @@ bool engages(const PlacedImplant& implant, const std::string& body) {
 }  // namespace
 
 Fixation fixation_of(const simulator::Recording& recording, const RebuiltBone& rebuilt,
-                     const std::vector<Body>& bodies, const simulator::Bone& bone,
+                     const std::vector<Body>& bodies, const simulator::Bones& bones,
                      const scenarios::Plan& plan) {
   Fixation fixation;
-  const Left left(recording, rebuilt, bone.world_from_bone);
+  const Left left(recording, rebuilt, bones);
   if (left.bores.count() == 0) return fixation;
-  const Bvh skin(bone.outer);
+  const BoneSurfaces skins(bones);
   for (std::int32_t number = 0; number < left.implants.count(); ++number) {
     const simulator::Implant& implant = left.implants[number];
     const Leaving& leaving = left.leavings[static_cast<std::size_t>(number)];
     const simulator::FragmentPoses& fragments =
         implant.is_taken ? leaving.fragments : rebuilt.fields.fragments();
-    const std::vector<LyingBody> lie = lying(bodies, rebuilt, fragments);
-    const Axis axis =
-        axis_in_bone(implant, pose_of(implant.fragment, fragments, rebuilt.fields.fragments()));
-    PlacedImplant placed = place(implant, axis, lie, rebuilt, skin);
-    placed.tip_to_joint_mm = joint_clearance_mm(placed, lie, bone, plan);
+    const std::vector<LyingBody> lie = lying(bodies, rebuilt, fragments, bones);
+    const Axis axis = axis_in_first(
+        implant, pose_of(implant.fragment, fragments, rebuilt.fields.fragments(), bones));
+    PlacedImplant placed = place(implant, axis, lie, rebuilt, skins);
+    placed.tip_to_joint_mm = joint_clearance_mm(placed, lie, bones, plan);
     placed.left_tick = leaving.tick;
     (implant.is_taken ? fixation.taken : fixation.implants).push_back(std::move(placed));
   }
-  assign_planned(fixation, plan.fixation);
+  assign_planned(fixation, plan_in_first(plan, bones).fixation);
   measure_holes(left.bores, bodies, fixation);
   return fixation;
 }

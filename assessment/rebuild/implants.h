@@ -8,11 +8,11 @@
 
 #include "assessment/rebuild/bodies.h"
 #include "simulator/cutting/hole/implant_set.h"
-#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bones.h"
 
 namespace hallux::assessment {
 
-/// All points in the operated bone as it lies; of what was taken out again, as it lay when it was
+/// All points in the first bone as it lies; of what was taken out again, as it lay when it was
 /// left.
 struct PlacedImplant {
   bool is_screw = false;
@@ -51,9 +51,9 @@ struct Fixation {
   double holes_mm3 = 0.0, holes_bound_mm3 = 0.0;
 };
 
-/// bodies  of that recording, on that bone
+/// bodies  of that recording, on those bones
 Fixation fixation_of(const simulator::Recording& recording, const RebuiltBone& rebuilt,
-                     const std::vector<Body>& bodies, const simulator::Bone& bone,
+                     const std::vector<Body>& bodies, const simulator::Bones& bones,
                      const scenarios::Plan& plan);
 
 /// Whether implants hold each body to another one: a screw through both, or two wires that are not

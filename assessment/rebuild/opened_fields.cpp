@@ -4,6 +4,7 @@
 
 #include "assessment/rebuild/open_kerfs.h"
 #include "simulator/cutting/field/kerf_set.h"
+#include "simulator/jobs/lying_bones.h"
 
 namespace hallux::assessment {
 
@@ -24,9 +25,9 @@ bool is_same(const simulator::KerfPlane& a, const simulator::KerfPlane& b) noexc
 
 }  // namespace
 
-OpenedFields opened_fields(const simulator::Tray& tray, const RigidTransform& world_from_bone,
+OpenedFields opened_fields(const simulator::Tray& tray, const simulator::Bones& bones,
                            const simulator::Recording& recording, const Progress& progress) {
-  simulator::KerfSet kerfs(tray, world_from_bone);
+  simulator::KerfSet kerfs(tray, poses_of(bones));
   std::vector<simulator::OpeningNotes> notes;
   const auto count = static_cast<double>(recording.samples.size());
   open_kerfs(
@@ -47,9 +48,9 @@ OpenedFields opened_fields(const simulator::Tray& tray, const RigidTransform& wo
   return fields;
 }
 
-bool are_of(const OpenedFields& fields, const simulator::Tray& tray,
-            const RigidTransform& world_from_bone, const simulator::Recording& recording) {
-  simulator::KerfSet kerfs(tray, world_from_bone);
+bool are_of(const OpenedFields& fields, const simulator::Tray& tray, const simulator::Bones& bones,
+            const simulator::Recording& recording) {
+  simulator::KerfSet kerfs(tray, poses_of(bones));
   freeze_kerfs(
       kerfs, recording, [](std::int64_t) {}, [](std::size_t) {});
   if (static_cast<std::size_t>(kerfs.count()) != fields.size()) return false;

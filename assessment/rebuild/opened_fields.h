@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "simulator/base/progress.h"
-#include "simulator/base/transform.h"
 #include "simulator/cutting/field/opened_field.h"
+#include "simulator/mesh/bones.h"
 #include "simulator/record/record.h"
 #include "simulator/tool/tray.h"
 
@@ -19,12 +19,12 @@ using OpenedFields = std::vector<simulator::OpenedField>;
 /// needs   recording's samples and events are in the order of their ticks
 /// errors  Cancelled
 /// thread  any
-OpenedFields opened_fields(const simulator::Tray& tray, const RigidTransform& world_from_bone,
+OpenedFields opened_fields(const simulator::Tray& tray, const simulator::Bones& bones,
                            const simulator::Recording& recording, const Progress& progress = {});
 
 /// Whether `fields` are of this recording's planes and kerfs: what was kept of another one is not
 /// used.
-bool are_of(const OpenedFields& fields, const simulator::Tray& tray,
-            const RigidTransform& world_from_bone, const simulator::Recording& recording);
+bool are_of(const OpenedFields& fields, const simulator::Tray& tray, const simulator::Bones& bones,
+            const simulator::Recording& recording);
 
 }  // namespace hallux::assessment

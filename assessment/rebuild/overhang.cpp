@@ -50,8 +50,10 @@ Overhang measure_overhang(const RebuiltBone& rebuilt, const scenarios::PlannedCu
   Overhang most;
   for (std::size_t i = 0; i < rebuilt.fragments.size(); ++i) {
     const RebuiltFragment& fragment = rebuilt.fragments[i];
-    const RigidTransform& pose =
-        rebuilt.fields.fragments()[static_cast<std::int32_t>(i)].bone_from_fragment;
+    const simulator::FragmentPose& placed =
+        rebuilt.fields.fragments()[static_cast<std::int32_t>(i)];
+    if (static_cast<std::size_t>(placed.bone) != cut.bone) continue;
+    const RigidTransform& pose = placed.bone_from_fragment;
     const std::size_t end = fragment.first_piece + fragment.piece_count;
     for (std::size_t piece = fragment.first_piece; piece < end; ++piece) {
       if (rebuilt.is_piece_out[piece]) continue;

@@ -48,7 +48,7 @@ std::vector<Pair> pairs_of(const std::vector<PlacedImplant*>& all, const Planned
   for (std::size_t i = 0; i < plan.implants.size(); ++i) {
     const PlannedImplant& planned = plan.implants[i];
     for (PlacedImplant* placed : all) {
-      if (planned.bone != 0 || !is_of_kind(*placed, planned)) continue;
+      if (!is_of_kind(*placed, planned)) continue;
       const bool is_gone = placed->is_taken && !planned.is_temporary;
       pairs.push_back({is_gone, ends_off_mm(*placed, planned), i, placed});
     }

@@ -7,6 +7,7 @@
 #include "assessment/rebuild/fragment_solids.h"
 #include "assessment/rebuild/open_kerfs.h"
 #include "simulator/base/check.h"
+#include "simulator/jobs/lying_bones.h"
 
 namespace hallux::assessment {
 
@@ -71,22 +72,34 @@ double RebuiltKerf::done_fraction() const noexcept {
   return 0.0;
 }
 
+std::size_t bone_of(const RebuiltBone& rebuilt, std::int32_t kerf) noexcept {
+  return static_cast<std::size_t>(
+      rebuilt.fields.fragments()[rebuilt.fields.fragment_of(kerf)].bone);
+}
+
+simulator::KerfNumbers kerfs_of_bone(const RebuiltBone& rebuilt, std::size_t bone) noexcept {
+  simulator::KerfNumbers kerfs;
+  for (std::int32_t kerf = 0; kerf < rebuilt.fields.count(); ++kerf) {
+    if (bone_of(rebuilt, kerf) == bone) kerfs.add(kerf);
+  }
+  return kerfs;
+}
+
 bool RebuiltKerf::is_finished() const noexcept { return done_fraction() == 1.0; }
 
-RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Tray& tray,
+RebuiltBone rebuild(simulator::Bones bones, const simulator::Tray& tray,
                     const simulator::Recording& recording, const Progress& progress,
                     const OpenedFields* opened, const SampleFollower& follow,
                     const ClosedHinges& hinges) {
-  RebuiltBone rebuilt{
-      simulator::KerfSet(tray, bone.world_from_bone), {}, {}, {}, {}, {}, 0.0, 0.0, 0.0, 0};
+  RebuiltBone rebuilt{simulator::KerfSet(tray, poses_of(bones))};
   if (opened != nullptr) {
     CHECK(!follow);
-    CHECK(are_of(*opened, tray, bone.world_from_bone, recording));
+    CHECK(are_of(*opened, tray, bones, recording));
     put_kerfs(rebuilt, recording, *opened);
   } else {
     stamp_kerfs(rebuilt, recording, follow, progress);
   }
-  FragmentSolids solids(rebuilt, bone, hinges);
+  FragmentSolids solids(rebuilt, bones, hinges);
   solids.follow(recording, [&](double share) {
     report(progress, stamping_share + (1.0 - stamping_share) * share);
   });

@@ -1,5 +1,5 @@
-/// From a recording to the bone as it was left: the kerfs from the recorded poses, the solids from
-/// the kerfs.
+/// From a recording to the bones as they were left: the kerfs from the recorded poses, the solids
+/// from the kerfs.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 #include "simulator/bone/close_bridge.h"
 #include "simulator/cutting/field/kerf_set.h"
 #include "simulator/cutting/slice/section.h"
-#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bones.h"
 #include "simulator/record/record.h"
 #include "simulator/tool/tray.h"
 
@@ -56,21 +56,30 @@ struct RebuiltFragment {
 struct RebuiltBone {
   /// Planes and fields, one per entry of `kerfs`; and where the fragments lie at last.
   simulator::KerfSet fields;
-  std::vector<RebuiltKerf> kerfs;
-  /// Of each fragment largest first, debris left out; in its frame, that of the bone before
+  std::vector<RebuiltKerf> kerfs = {};
+  /// Of each fragment largest first, debris left out; in its frame, that of its bone before
   /// anything moved.
-  std::vector<simulator::CutSolid> pieces;
-  std::vector<double> piece_volumes_mm3;
+  std::vector<simulator::CutSolid> pieces = {};
+  std::vector<double> piece_volumes_mm3 = {};
+  /// Of each piece: the patient's bone that it is of.
+  std::vector<std::size_t> piece_bones = {};
   /// Of each piece: it was taken out of the wound.
-  std::vector<bool> is_piece_out;
-  /// As in `fields`; the bone is the first.
-  std::vector<RebuiltFragment> fragments;
+  std::vector<bool> is_piece_out = {};
+  /// As in `fields`; the bones are the first.
+  std::vector<RebuiltFragment> fragments = {};
   double input_mm3 = 0.0;
+  /// By bone.
+  std::vector<double> inputs_mm3 = {};
   /// By the blade, integrated from sections.
   double removed_mm3 = 0.0;
   double debris_mm3 = 0.0;
   std::int32_t debris_count = 0;
 };
+
+/// Of the patient's bones, in which that kerf is.
+std::size_t bone_of(const RebuiltBone& rebuilt, std::int32_t kerf) noexcept;
+/// All that are in that bone.
+simulator::KerfNumbers kerfs_of_bone(const RebuiltBone& rebuilt, std::size_t bone) noexcept;
 
 /// The hinges of an operation that may have closed.
 struct ClosedHinges {
@@ -93,7 +102,7 @@ using SampleFollower =
 ///         fields know no time between
 /// errors  Cancelled
 /// thread  any
-RebuiltBone rebuild(const simulator::Bone& bone, const simulator::Tray& tray,
+RebuiltBone rebuild(simulator::Bones bones, const simulator::Tray& tray,
                     const simulator::Recording& recording, const Progress& progress = {},
                     const OpenedFields* opened = nullptr, const SampleFollower& follow = {},
                     const ClosedHinges& hinges = {});

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "simulator/jobs/recorded_jobs.h"
 
@@ -57,9 +58,12 @@ std::int64_t volume_thousandths(const Recording& recording, std::int32_t piece) 
   return 0;
 }
 
-/// The largest piece is the bone, which nobody takes out.
-std::unique_ptr<const Bvh> body_at(const RebuiltBone& rebuilt, const Vec3& inside_mm) {
-  for (std::size_t piece = 1; piece < rebuilt.pieces.size(); ++piece) {
+/// The first piece of a bone is its largest: the bone, which nobody takes out.
+std::unique_ptr<const Bvh> body_at(const RebuiltBone& rebuilt, const Vec3& inside_mm,
+                                   std::size_t bone) {
+  bool is_bone_itself = true;
+  for (std::size_t piece = 0; piece < rebuilt.pieces.size(); ++piece) {
+    if (rebuilt.piece_bones[piece] != bone || std::exchange(is_bone_itself, false)) continue;
     auto body = std::make_unique<const Bvh>(rebuilt.pieces[piece].mesh);
     if (body->contains(inside_mm)) return body;
   }
@@ -82,9 +86,9 @@ std::unique_ptr<const Bvh> body_of_volume(const RebuiltBone& rebuilt, std::int64
 }
 
 std::unique_ptr<const Bvh> body_of(const RebuiltBone& rebuilt, const Recording& recording,
-                                   const CutEvent& removal) {
+                                   const CutEvent& removal, std::size_t bone) {
   if (recording.engine >= first_engine_with_places)
-    return body_at(rebuilt, transform_from(removal.pose).translation_mm);
+    return body_at(rebuilt, transform_from(removal.pose).translation_mm, bone);
   return body_of_volume(rebuilt, volume_thousandths(recording, removal.subject));
 }
 
@@ -92,26 +96,41 @@ bool is_removal(const CutEvent& event) noexcept { return event.kind == CutEventK
 
 }  // namespace
 
-std::vector<TakenOut> pieces_taken_out(const RebuiltBone& rebuilt, const simulator::Bone& bone,
+std::size_t bone_of_piece(const Recording& recording, std::size_t event,
+                          const simulator::FragmentPoses& fragments) noexcept {
+  const std::int32_t piece = recording.events[event].subject;
+  for (std::size_t i = 0; i < event; ++i) {
+    const CutEvent& before = recording.events[i];
+    const bool is_told = before.subject == piece && (before.kind == CutEventKind::PieceOfFragment ||
+                                                     before.kind == CutEventKind::FragmentParted);
+    if (is_told && before.value >= 0 && before.value < fragments.count())
+      return static_cast<std::size_t>(fragments[static_cast<std::int32_t>(before.value)].bone);
+  }
+  return 0;
+}
+
+std::vector<TakenOut> pieces_taken_out(const RebuiltBone& rebuilt, simulator::Bones bones,
                                        const simulator::Recorded& recorded,
                                        const Progress& progress) {
   const Recording& recording = recorded.outputs;
   std::vector<TakenOut> taken;
   // The tape is long: it is looked at where it can tell something.
   if (std::ranges::none_of(recording.events, is_removal)) return taken;
-  const std::vector<simulator::RecordedJob> jobs = recorded_jobs(recorded);
-  for (const CutEvent& event : recording.events) {
+  const std::vector<simulator::RecordedJob> jobs = recorded_jobs(recorded, bones.size());
+  for (std::size_t i = 0; i < recording.events.size(); ++i) {
+    const CutEvent& event = recording.events[i];
     if (!is_removal(event)) continue;
     const std::int64_t seen = seen_tick(jobs, event.tick);
+    const std::size_t bone = bone_of_piece(recording, i, rebuilt.fields.fragments());
     std::unique_ptr<const Bvh> body;
     if (is_sawn_after(recording, seen)) {
       const RebuiltBone then =
-          rebuild(bone, rebuilt.fields.tray(), begin_of(recording, seen), progress);
-      body = body_of(then, recording, event);
+          rebuild(bones, rebuilt.fields.tray(), begin_of(recording, seen), progress);
+      body = body_of(then, recording, event, bone);
     } else {
-      body = body_of(rebuilt, recording, event);
+      body = body_of(rebuilt, recording, event, bone);
     }
-    if (body != nullptr) taken.push_back({event.tick, std::move(body)});
+    if (body != nullptr) taken.push_back({event.tick, bone, std::move(body)});
   }
   return taken;
 }

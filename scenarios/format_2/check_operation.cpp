@@ -59,6 +59,11 @@ class OperationCheck {
              is_text(scenario_.further_bones[i].bone) + ", which is already there",
              "ask for each bone once");
     }
+    for (std::size_t i = 0; i < scenario_.further_bones.size(); ++i) {
+      if (scenario_.further_bones[i].bone_quality == scenario_.patient.bone_quality) continue;
+      refuse(file_, path_of("patient.bones", i + 1, "bone_quality"),
+             "is another than that of the first bone", "give all bones of a patient the same");
+    }
     check_bones_of(scenario_.points, "points");
     check_bones_of(scenario_.directions, "directions");
     check_bones_of(scenario_.cuts, "cuts");

@@ -38,7 +38,7 @@ Vec3 unit_or_refuse(const Vec3& direction, const std::string& path, std::string_
   return direction / length;
 }
 
-Ground::Ground(const Scenario& scenario, std::span<const simulator::Bone> bones)
+Ground::Ground(const Scenario& scenario, const simulator::Bones& bones)
     : scenario_(scenario), bones_(bones) {
   const std::size_t asked = 1 + scenario.further_bones.size();
   if (bones.size() != asked) {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "scenarios/scenario.h"
-#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bones.h"
 
 namespace hallux::scenarios {
 
@@ -28,7 +28,7 @@ class Ground {
   /// errors  ScenarioError: another number of bones, a landmark that a bone lacks, points that
   ///         coincide, directions that are parallel, a ray that misses, a point that is named like
   ///         a landmark
-  Ground(const Scenario& scenario, std::span<const simulator::Bone> bones);
+  Ground(const Scenario& scenario, const simulator::Bones& bones);
 
   /// Of a part that names its bone; empty: the first.
   /// needs   the scenario was read, which refuses other names
@@ -63,7 +63,7 @@ class Ground {
   Vec3 made(const NamedDirection& direction, std::size_t bone, const std::string& path) const;
 
   const Scenario& scenario_;
-  std::span<const simulator::Bone> bones_;
+  simulator::Bones bones_;
   std::map<std::string, Laid, std::less<>> points_, directions_;
 };
 

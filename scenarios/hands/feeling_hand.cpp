@@ -8,6 +8,7 @@
 
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
+#include "simulator/jobs/lying_bones.h"
 
 namespace hallux::scenarios {
 
@@ -31,18 +32,19 @@ std::int64_t last_tick_of(const Scenario& scenario) noexcept {
 
 }  // namespace
 
-FeelingHand::FeelingHand(const Scenario& scenario, const simulator::Bone& bone, const Plan& plan,
+FeelingHand::FeelingHand(const Scenario& scenario, simulator::Bones bones, const Plan& plan,
                          const HandSkill& skill, std::uint64_t seed)
     : skill_(skill),
-      world_from_bone_(bone.world_from_bone),
-      cuts_(aim(scenario, plan, KnownBone(bone), skill, seed)),
+      world_from_bone_(bones.first().world_from_bone),
+      cuts_(aim(scenario, plan, KnownBones(bones), skill, seed)),
       senses_(skill.perception, Random(seed, "hand.eye")),
       work_(skill, seed),
       bore_(skill, seed),
       out_(Random(seed, "wander.out"), skill.wander_mm, skill.perception.steadying_per_s),
       tilt_x_(Random(seed, "wander.tilt_x"), skill.wander_rad, skill.perception.steadying_per_s),
-      tilt_y_(Random(seed, "wander.tilt_y"), skill.wander_rad, skill.perception.steadying_per_s) {
-  const Undertaking undertaking{scenario, bone, plan, cuts_, skill_, seed};
+      tilt_y_(Random(seed, "wander.tilt_y"), skill.wander_rad, skill.perception.steadying_per_s),
+      fragments_(poses_of(bones)) {
+  const Undertaking undertaking{scenario, bones, plan, cuts_, skill_, seed};
   const Act start = starting_act(undertaking);
   world_from_blade_ = world_from_bone_ * start.bone_from_blade;
   handle_.feed_mm = start.feed_mm;
@@ -132,7 +134,7 @@ bool FeelingHand::take_rest(const Act& act) noexcept {
 
 /// The piece that lies nearest; where none was seen to come free, what came free last.
 void FeelingHand::grip(const Act& act) noexcept {
-  const std::optional<std::int32_t> piece = loose_.nearest(act.near_in_bone_mm);
+  const std::optional<std::int32_t> piece = loose_.nearest(act.near_in_bone_mm, act.near_bone);
   queue({CommandKind::Grip, piece.value_or(simulator::piece_freed_last), 0});
 }
 
@@ -211,16 +213,19 @@ void FeelingHand::observe(const simulator::StepOutput& output) noexcept {
   world_from_tool_ = simulator::transform_from(output.sample.world_from_tool);
   engaged_mm_ = output.engaged.width_mm();
   for (const simulator::CutEvent& event : output.events) {
-    loose_.observe(event);
-    if (event.kind == simulator::CutEventKind::PlaneFrozen) align_with_slot(event.pose);
+    fragments_.apply(event);
+    loose_.observe(event, fragments_);
+    if (event.kind == simulator::CutEventKind::PlaneFrozen) {
+      const auto fragment = static_cast<std::int32_t>(event.value);
+      align_with_slot(fragments_[fragment].world_from_fragment *
+                      simulator::transform_from(event.pose));
+    }
   }
 }
 
 /// The slot that the blade has begun is the plane from now on; the handle stays where it is.
-void FeelingHand::align_with_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept {
+void FeelingHand::align_with_slot(const RigidTransform& world_from_slot) noexcept {
   const RigidTransform world_from_handle = held_pose();
-  const RigidTransform world_from_slot =
-      world_from_bone_ * simulator::transform_from(bone_from_frozen);
   const Vec3 normal = axis_z(world_from_slot);
   const Vec3 ahead = axis_x(world_from_blade_);
   const Vec3 flat_ahead = ahead - glm::dot(ahead, normal) * normal;

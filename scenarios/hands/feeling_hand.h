@@ -32,7 +32,7 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   /// The hand for all of the scenario's steps.
   /// ensures the same arguments and the same simulation give the same motion on every machine
   /// errors  ScenarioError where a planned plane misses the bone
-  FeelingHand(const Scenario& scenario, const simulator::Bone& bone, const Plan& plan,
+  FeelingHand(const Scenario& scenario, simulator::Bones bones, const Plan& plan,
               const HandSkill& skill, std::uint64_t seed);
 
   /// As the plan has them.
@@ -62,7 +62,7 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   void grip(const Act& act) noexcept;
   void feel(const Vec3& force_in_world_newton, std::int64_t ticks) noexcept;
   void hold_blade(double span_s) noexcept;
-  void align_with_slot(const simulator::QuantisedPose& bone_from_frozen) noexcept;
+  void align_with_slot(const RigidTransform& world_from_slot) noexcept;
   void queue(const simulator::Command& command) noexcept;
   /// Once it has turned.
   RigidTransform held_pose() const noexcept;
@@ -87,6 +87,8 @@ class FeelingHand final : public simulator::HapticDevice, public simulator::Atte
   StrokeWork work_;
   BoreWork bore_;
   HeldAxis out_, tilt_x_, tilt_y_;
+  /// Where they lie, as the hand sees it.
+  simulator::FragmentPoses fragments_;
   LoosePieces loose_;
   double felt_newton_ = 0.0;
   /// As it was seen last.

@@ -51,6 +51,12 @@ std::vector<Stroke> strokes_of(const Undertaking& undertaking, std::size_t cut) 
   return cut_strokes(undertaking.cuts[cut], blade, undertaking.skill);
 }
 
+/// A pose in the frame of one of the bones, as the first one says it.
+RigidTransform in_first(const Undertaking& undertaking, std::size_t bone,
+                        const RigidTransform& bone_from_blade) {
+  return bone == 0 ? bone_from_blade : first_from(undertaking.bones, bone) * bone_from_blade;
+}
+
 /// In front of the cut's first stroke, or of the bone where the hand means to stop before it.
 Act turn_to_cut(const Undertaking& undertaking, std::size_t cut, double hovers) {
   const AimedCut& aimed = undertaking.cuts[cut];
@@ -58,7 +64,7 @@ Act turn_to_cut(const Undertaking& undertaking, std::size_t cut, double hovers) 
   const Stroke first =
       strokes.empty() ? Stroke{.first_mm = aimed.region.min_mm.x} : strokes.front();
   return {.kind = Act::Kind::TurnTo,
-          .bone_from_blade = aimed.plane.bone_from_kerf,
+          .bone_from_blade = in_first(undertaking, aimed.bone, aimed.plane.bone_from_kerf),
           .along_mm = first.along_mm,
           .feed_mm = first.first_mm - hovers * hover_mm};
 }
@@ -197,8 +203,10 @@ class ActList {
 
   /// A screw after its drill; the driver lets go of what stands in bone, and is drawn away.
   void set(std::size_t implant) {
-    const AimedImplant aimed = aim_implant(undertaking_.scenario, undertaking_.plan, implant,
-                                           undertaking_.skill, undertaking_.seed);
+    AimedImplant aimed = aim_implant(undertaking_.scenario, undertaking_.plan, implant,
+                                     undertaking_.skill, undertaking_.seed);
+    aimed.bone_from_axis = in_first(undertaking_, undertaking_.plan.fixation.implants[implant].bone,
+                                    aimed.bone_from_axis);
     turn_to(aimed);
     if (aimed.drill) {
       take_tool(*aimed.drill);
@@ -239,9 +247,11 @@ class ActList {
     const RigidTransform led = aim_shift(plan, index, undertaking_.skill, undertaking_.seed);
     Act hold = turn_to_cut(undertaking_, first_cut_, far_hovers);
     acts_.push_back(hold);
-    acts_.push_back({.kind = Act::Kind::Grip, .near_in_bone_mm = fragment.holds_in_bone_mm});
+    acts_.push_back({.kind = Act::Kind::Grip,
+                     .near_in_bone_mm = fragment.holds_in_bone_mm,
+                     .near_bone = fragment.bone});
     wait(settle_s);
-    hold.bone_from_blade = led * hold.bone_from_blade;
+    hold.bone_from_blade = led_in_first(led, fragment.bone) * hold.bone_from_blade;
     hold.speed_mm_s = carry_mm_s;
     acts_.push_back(hold);
     wait(carried_s);
@@ -254,6 +264,13 @@ class ActList {
     is_at_first_cut_ = false;
   }
 
+  /// A way that is said in the frame of one of the bones.
+  RigidTransform led_in_first(const RigidTransform& led, std::size_t bone) const {
+    if (bone == 0) return led;
+    const RigidTransform first_from_bone = first_from(undertaking_.bones, bone);
+    return first_from_bone * led * inverse(first_from_bone);
+  }
+
   void touch_zones() {
     for (const HandFault& fault : undertaking_.skill.faults) {
       if (fault.kind == FaultKind::TouchZone) touch_zone(fault);
@@ -264,7 +281,7 @@ class ActList {
   void touch_zone(const HandFault& fault) {
     const Act home = turn_to_cut(undertaking_, first_cut_, turn_hovers);
     const ZoneTouch touch =
-        plan_touch(undertaking_.bone, undertaking_.plan, undertaking_.scenario.saw.blade,
+        plan_touch(undertaking_.bones, undertaking_.plan, undertaking_.scenario.saw.blade,
                    {fault.subject, home.bone_from_blade});
     const double away_mm = -turn_hovers * hover_mm;
     const Act there{

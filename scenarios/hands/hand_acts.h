@@ -31,7 +31,8 @@ struct Act {
     Grip
   };
   Kind kind = Kind::Wait;
-  /// TurnTo: the plane in which the blade is to lie, x the feed, and where in it.
+  /// TurnTo: the plane in which the blade is to lie, x the feed, and where in it; in the frame of
+  /// the first bone.
   RigidTransform bone_from_blade = {};
   double along_mm = 0.0;
   /// TurnTo, Lead: to there.
@@ -50,14 +51,15 @@ struct Act {
   BoreTask bore = {};
   /// TakeRest: the cuts whose waste is meant, by bits.
   std::uint32_t waste_of = 0;
-  /// Grip: a point of the fragment.
+  /// Grip: a point of the fragment, in the frame of its bone.
   Vec3 near_in_bone_mm{0.0, 0.0, 0.0};
+  std::size_t near_bone = 0;
 };
 
 /// All that the acts follow from; borrowed.
 struct Undertaking {
   const Scenario& scenario;
-  const simulator::Bone& bone;
+  simulator::Bones bones;
   const Plan& plan;
   /// As the plan has them.
   const std::vector<AimedCut>& cuts;

@@ -306,7 +306,7 @@ void plan_stop(const Plan& plan, const HandSkill& skill, const Target& target, A
 KnownBone::KnownBone(const simulator::Bone& known)
     : bone(known), solid(simulator::uncut_solid(solid_of(known))), bvh(solid.mesh) {}
 
-std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const KnownBone& known,
+std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const KnownBones& known,
                           const HandSkill& skill, std::uint64_t seed) {
   std::vector<AimedCut> aims(plan.cuts.size());
   const auto aim_at = [&](const Target& target, const Sight& planned, AimedCut& aimed) {
@@ -324,14 +324,15 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
       aim_at_plan(target, planned, errors, aimed);
     }
     add_faults(target, planned, skill, aimed);
-    std::optional<Sight> seen = look_along(aimed.face, target, known);
+    std::optional<Sight> seen = look_along(aimed.face, target, known[target.cut.bone]);
     // Who lays it so on purpose does.
     if (seen && skill.faults.empty() && grazes(*seen, planned)) seen.reset();
     return seen;
   };
   const auto aim_one = [&](std::size_t index) {
-    const Target target = target_of(scenario, plan, index, known, seed);
-    const Sight planned = must_see(look_along(target.cut.face, target, known), target,
+    const KnownBone& bone = known[plan.cuts[index].bone];
+    const Target target = target_of(scenario, plan, index, bone, seed);
+    const Sight planned = must_see(look_along(target.cut.face, target, bone), target,
                                    "its planned face misses the bone; mend the plan");
     AimedCut& aimed = aims[index];
     std::optional<Sight> seen;
@@ -343,6 +344,7 @@ std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const Know
                      "; choose another seed" + (skill.faults.empty() ? "" : ", or smaller faults"));
     aimed.plane = met.plane;
     aimed.region = met.region;
+    aimed.bone = target.cut.bone;
     plan_stop(plan, skill, target, aimed);
   };
   // A face through a hinge is aimed at the end of another cut.

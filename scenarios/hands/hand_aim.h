@@ -2,7 +2,9 @@
 /// will meet. Inside this corner only.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -19,6 +21,13 @@ struct KnownBone {
   const simulator::Bone& bone;
   simulator::CutSolid solid;
   simulator::Bvh bvh;
+};
+
+/// All of a patient's.
+struct KnownBones : std::deque<KnownBone> {
+  explicit KnownBones(const simulator::Bones& bones) {
+    for (const simulator::Bone& bone : bones) emplace_back(bone);
+  }
 };
 
 struct AimedCut {
@@ -39,6 +48,8 @@ struct AimedCut {
   double run_on_mm = 0.0;
   /// It means to stop where no bone is left of the hinge.
   bool loses_hinge = false;
+  /// Of the patient's bones, in whose frame all of this is said.
+  std::size_t bone = 0;
 };
 
 /// One for each cut of the plan. A face through a hinge is measured off from the first face that
@@ -46,7 +57,7 @@ struct AimedCut {
 /// A plane that misses the bone, or grazes it, is aimed anew, as by somebody who sees it.
 /// errors  ScenarioError where the planned face misses the bone, or the approach is from no side
 ///         there is
-std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const KnownBone& known,
+std::vector<AimedCut> aim(const Scenario& scenario, const Plan& plan, const KnownBones& known,
                           const HandSkill& skill, std::uint64_t seed);
 
 }  // namespace hallux::scenarios

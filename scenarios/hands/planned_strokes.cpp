@@ -6,10 +6,10 @@
 
 namespace hallux::scenarios {
 
-std::vector<PlannedStroke> planned_strokes(const Scenario& scenario, const simulator::Bone& bone,
+std::vector<PlannedStroke> planned_strokes(const Scenario& scenario, simulator::Bones bones,
                                            const Plan& plan) {
   const HandSkill skill = hand_skill("perfect");
-  const std::vector<AimedCut> aims = aim(scenario, plan, KnownBone(bone), skill, 0);
+  const std::vector<AimedCut> aims = aim(scenario, plan, KnownBones(bones), skill, 0);
   std::vector<PlannedStroke> planned;
   for (const OperationStep& step : scenario.steps) {
     if (!is_sawn(step)) continue;

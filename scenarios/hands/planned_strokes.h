@@ -10,7 +10,7 @@
 namespace hallux::scenarios {
 
 struct PlannedStroke {
-  /// Of the plan.
+  /// Of the plan, in the frame of whose bone it is said.
   std::size_t cut = 0;
   /// x the feed, y along the teeth.
   simulator::KerfPlane plane;
@@ -28,7 +28,7 @@ struct PlannedStroke {
 
 /// In the order of the scenario's steps, each cut's strokes as its hand makes them.
 /// errors  ScenarioError where a planned face misses the bone
-std::vector<PlannedStroke> planned_strokes(const Scenario& scenario, const simulator::Bone& bone,
+std::vector<PlannedStroke> planned_strokes(const Scenario& scenario, simulator::Bones bones,
                                            const Plan& plan);
 
 }  // namespace hallux::scenarios

@@ -42,28 +42,30 @@ RigidTransform blade_at(const Vec3& feed, const Vec3& teeth, const Vec3& tip_in_
   return {rotation_from_axes(feed, sign * teeth), tip_in_bone_mm};
 }
 
-double room_mm(const RigidTransform& bone_from_blade, const simulator::Bvh& bone, const Plan& plan,
-               const simulator::Blade& blade, const PlannedZone& touched) {
+using Zones = std::vector<simulator::DangerCapsule>;
+
+double room_mm(const RigidTransform& bone_from_blade, const simulator::Bvh& bones,
+               const Zones& zones, const simulator::Blade& blade, std::size_t touched) {
   double least_mm = std::numeric_limits<double>::infinity();
   const double step_y_mm = blade.width_mm / (samples - 1);
   for (double x_mm = 0.0; x_mm <= blade.depth_mm; x_mm += 0.25 * step_y_mm) {
     for (int i = 0; i < samples; ++i) {
       const Vec3 point =
           transform_point(bone_from_blade, Vec3{-x_mm, -0.5 * blade.width_mm + i * step_y_mm, 0.0});
-      least_mm = std::min(least_mm, bone.signed_distance_mm(point));
+      least_mm = std::min(least_mm, bones.signed_distance_mm(point));
     }
   }
   least_mm -= 0.5 * blade.kerf_mm;
-  for (const PlannedZone& zone : plan.danger_zones) {
-    if (&zone == &touched) continue;
-    least_mm = std::min(least_mm, distance_to_capsule_mm(bone_from_blade, blade, zone.capsule));
+  for (std::size_t zone = 0; zone < zones.size(); ++zone) {
+    if (zone == touched) continue;
+    least_mm = std::min(least_mm, distance_to_capsule_mm(bone_from_blade, blade, zones[zone]));
   }
   return least_mm;
 }
 
-const PlannedZone& zone_named(const Plan& plan, const std::string& name) {
-  for (const PlannedZone& zone : plan.danger_zones) {
-    if (zone.name == name) return zone;
+std::size_t index_of_zone(const Plan& plan, const std::string& name) {
+  for (std::size_t zone = 0; zone < plan.danger_zones.size(); ++zone) {
+    if (plan.danger_zones[zone].name == name) return zone;
   }
   throw ScenarioError("the plan has no danger zone \"" + name + "\" to be touched");
 }
@@ -96,10 +98,12 @@ std::optional<RigidTransform> halfway(const RigidTransform& home, const RigidTra
 
 }  // namespace
 
-ZoneTouch plan_touch(const simulator::Bone& bone, const Plan& plan, const simulator::Blade& blade,
+ZoneTouch plan_touch(const simulator::Bones& bones, const Plan& plan, const simulator::Blade& blade,
                      const ZoneTask& task) {
-  const PlannedZone& zone = zone_named(plan, task.zone);
-  const simulator::Bvh outer(bone.outer);
+  const Zones zones = capsules_of(plan.danger_zones, bones);
+  const std::size_t touched = index_of_zone(plan, task.zone);
+  const simulator::DangerCapsule& zone = zones[touched];
+  const simulator::Bvh outer(outsides_of(bones));
   const Vec3 home_feed = axis_x(task.bone_from_home), home_normal = axis_z(task.bone_from_home);
   const Vec3 along{1.0, 0.0, 0.0};
   ZoneTouch best{.room_mm = -std::numeric_limits<double>::infinity()};
@@ -108,11 +112,11 @@ ZoneTouch plan_touch(const simulator::Bone& bone, const Plan& plan, const simula
     for (const Vec3& teeth : {along, glm::cross(feed, along)}) {
       for (int i = 0; i < points; ++i) {
         const double share = static_cast<double>(i) / (points - 1);
-        const Vec3 middle = zone.capsule.from_in_bone_mm +
-                            share * (zone.capsule.to_in_bone_mm - zone.capsule.from_in_bone_mm);
-        const Vec3 tip = middle - std::max(0.0, zone.capsule.radius_mm - bite_mm) * feed;
+        const Vec3 middle =
+            zone.from_in_bone_mm + share * (zone.to_in_bone_mm - zone.from_in_bone_mm);
+        const Vec3 tip = middle - std::max(0.0, zone.radius_mm - bite_mm) * feed;
         ZoneTouch way{.bone_from_blade = blade_at(feed, teeth, tip, home_normal)};
-        way.room_mm = room_mm(way.bone_from_blade, outer, plan, blade, zone);
+        way.room_mm = room_mm(way.bone_from_blade, outer, zones, blade, touched);
         if (is_better(way, best, home_feed)) best = way;
       }
     }

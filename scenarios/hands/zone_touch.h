@@ -31,9 +31,9 @@ struct ZoneTouch {
 };
 
 /// Of the ways that are free the one most like that of the cut; where none is, the one with most
-/// room.
+/// room. All of it is said in the frame of the first bone.
 /// errors  ScenarioError where the plan has no such zone
-ZoneTouch plan_touch(const simulator::Bone& bone, const Plan& plan, const simulator::Blade& blade,
+ZoneTouch plan_touch(const simulator::Bones& bones, const Plan& plan, const simulator::Blade& blade,
                      const ZoneTask& task);
 
 }  // namespace hallux::scenarios

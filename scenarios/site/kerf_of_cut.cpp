@@ -16,10 +16,14 @@ double misfit(const simulator::KerfPlane& plane, const PlannedCut& cut) noexcept
   return degree_from_radian(elementary::atan2(sine, cosine)) + std::abs(off_mm);
 }
 
-std::size_t nearest_cut(const simulator::KerfPlane& plane, const Plan& plan) noexcept {
-  std::size_t nearest = 0;
-  for (std::size_t cut = 1; cut < plan.cuts.size(); ++cut) {
-    if (misfit(plane, plan.cuts[cut]) < misfit(plane, plan.cuts[nearest])) nearest = cut;
+std::size_t nearest_cut(const simulator::KerfPlane& plane, const Plan& plan,
+                        std::size_t bone) noexcept {
+  std::size_t nearest = plan.cuts.size();
+  for (std::size_t cut = 0; cut < plan.cuts.size(); ++cut) {
+    if (plan.cuts[cut].bone != bone) continue;
+    const bool is_first = nearest == plan.cuts.size();
+    if (is_first || misfit(plane, plan.cuts[cut]) < misfit(plane, plan.cuts[nearest]))
+      nearest = cut;
   }
   return nearest;
 }

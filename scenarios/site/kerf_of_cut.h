@@ -12,8 +12,9 @@ namespace hallux::scenarios {
 /// millimetre, since over a section of 20 mm they move the face by as much.
 double misfit(const simulator::KerfPlane& plane, const PlannedCut& cut) noexcept;
 
-/// Of least misfit; the earlier of two alike.
-/// needs   plan.cuts is not empty
-std::size_t nearest_cut(const simulator::KerfPlane& plane, const Plan& plan) noexcept;
+/// Of the cuts of that bone, in whose frame the plane is, the one of least misfit; the earlier of
+/// two alike. The number of cuts where that bone has none.
+std::size_t nearest_cut(const simulator::KerfPlane& plane, const Plan& plan,
+                        std::size_t bone = 0) noexcept;
 
 }  // namespace hallux::scenarios

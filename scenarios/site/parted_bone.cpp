@@ -65,12 +65,13 @@ bool lies_beyond(std::span<const SawnFace> faces, const Vec3& point_in_bone_mm) 
 
 std::vector<Vec3> parted_places_mm(std::span<const SawnFace> faces,
                                    const simulator::SolidWithTree& whole,
-                                   const simulator::FragmentKerfs& kerfs) {
+                                   const simulator::KerfSet& all,
+                                   const simulator::KerfNumbers& kerfs) {
   std::vector<Vec3> places_mm;
   if (faces.empty()) return places_mm;
   visit_grid(box_of(whole.solid.mesh), [&](const Vec3& place_mm) {
     if (!lies_beyond(faces, place_mm) || !whole.bvh.contains(place_mm)) return;
-    if (!kerfs.is_open(place_mm)) places_mm.push_back(place_mm);
+    if (!all.is_open(kerfs, place_mm)) places_mm.push_back(place_mm);
   });
   return places_mm;
 }

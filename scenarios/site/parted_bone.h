@@ -43,10 +43,12 @@ bool lies_beyond(std::span<const SawnFace> faces, const Vec3& point_in_bone_mm) 
 /// Places of a 0.5 mm grid in the bone beyond all the faces; none where there is no face. What the
 /// blade took is not among them: of a thin wedge that is half.
 /// whole   what their fragment was cut from
+/// kerfs   of all, those in it
 /// thread  any; some 10 ms
 std::vector<Vec3> parted_places_mm(std::span<const SawnFace> faces,
                                    const simulator::SolidWithTree& whole,
-                                   const simulator::FragmentKerfs& kerfs);
+                                   const simulator::KerfSet& all,
+                                   const simulator::KerfNumbers& kerfs);
 
 /// Whether more than half of the places lie in the bodies: a corner that breaks off is not the
 /// piece, and an edge that stays is one still.

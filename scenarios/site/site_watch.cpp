@@ -114,8 +114,9 @@ void SiteWatch::apply(const simulator::CutEvent& event, const simulator::KerfSet
       told_step_ = subject;
       break;
     case CutEventKind::PlaneFrozen: {
-      const std::int32_t fragment = kerfs.fragment_of(event.subject);
-      kerfs_.push_back({cut_of(in_bone(kerfs.plane(event.subject), kerfs.fragments()[fragment]))});
+      const simulator::FragmentPose& fragment = kerfs.fragments()[kerfs.fragment_of(event.subject)];
+      kerfs_.push_back({cut_of(in_bone(kerfs.plane(event.subject), fragment),
+                               static_cast<std::size_t>(fragment.bone))});
       break;
     }
     default:
@@ -137,9 +138,10 @@ std::vector<std::size_t> SiteWatch::cuts_at_hand() const {
   return cuts;
 }
 
-std::size_t SiteWatch::cut_of(const KerfPlane& plane) const {
-  const std::vector<std::size_t> cuts = cuts_at_hand();
-  if (cuts.empty()) return nearest_cut(plane, plan_);
+std::size_t SiteWatch::cut_of(const KerfPlane& plane, std::size_t bone) const {
+  std::vector<std::size_t> cuts = cuts_at_hand();
+  std::erase_if(cuts, [&](std::size_t cut) { return plan_.cuts[cut].bone != bone; });
+  if (cuts.empty()) return nearest_cut(plane, plan_, bone);
   return *std::ranges::min_element(cuts, {},
                                    [&](std::size_t cut) { return misfit(plane, plan_.cuts[cut]); });
 }
@@ -181,6 +183,7 @@ std::vector<HeldCut> SiteWatch::held(const simulator::KerfSet& kerfs,
   std::vector<HeldCut> held(plan_.cuts.size());
   for (std::int32_t kerf = 0; kerf < static_cast<std::int32_t>(kerfs_.size()); ++kerf) {
     KerfOfCut& known = kerfs_[static_cast<std::size_t>(kerf)];
+    if (known.cut == plan_.cuts.size()) continue;
     const std::int32_t fragment = kerfs.fragment_of(kerf);
     if (kerfs.kerfs_of(fragment).has(kerf))
       known.held = held_of(kerf, kerfs, wholes[static_cast<std::size_t>(fragment)], crumbs);

@@ -72,6 +72,7 @@ class SiteWatch {
 
  private:
   struct KerfOfCut {
+    /// The number of cuts: of none, on a bone that is to be left alone.
     std::size_t cut = 0;
     /// What is to be sawn of it, once it was asked for.
     std::optional<simulator::Section> section = {};
@@ -80,7 +81,7 @@ class SiteWatch {
   };
 
   std::vector<std::size_t> cuts_at_hand() const;
-  std::size_t cut_of(const simulator::KerfPlane& plane) const;
+  std::size_t cut_of(const simulator::KerfPlane& plane, std::size_t bone) const;
   HeldCut held_of(std::int32_t kerf, const simulator::KerfSet& kerfs,
                   const simulator::SolidWithTree& whole, Crumbs crumbs);
 

@@ -53,7 +53,8 @@ WantedPart wanted_part(const OperationStep& step, const Plan& plan, std::span<co
   const auto [faces, number] = faces_around(step, plan, held, fragments);
   if (faces.empty()) return part;
   const FragmentInPieces& fragment = fragments[number];
-  const std::vector<Vec3> places_mm = parted_places_mm(faces, fragment.whole, fragment.kerfs);
+  const std::vector<Vec3> places_mm =
+      parted_places_mm(faces, fragment.whole, fragment.kerfs.all(), fragment.kerfs.numbers());
   std::vector<const Bvh*> off = fragment.taken_out;
   for (const PieceBody* piece : fragment.free) {
     if (!is_of_it(*piece, faces, places_mm)) continue;

@@ -4,6 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "simulator/jobs/lying_bones.h"
+
 namespace hallux::simulator {
 
 namespace {
@@ -48,15 +50,15 @@ Vec3 BoneHistory::world_place_mm(const PlaceOnFragment& place, std::int64_t tick
 std::shared_ptr<const BoneHistory> build_history(HistoryRequest request, const Progress& progress) {
   auto history = std::make_shared<BoneHistory>();
   const Recording& recording = request.recording;
-  const RigidTransform& world_from_bone = request.bone.world_from_bone;
-  history->world_from_bones = {world_from_bone};
+  const FragmentPoses lying = poses_of(request.bones);
+  for (const Bone& bone : request.bones) history->world_from_bones.push_back(bone.world_from_bone);
   history->kerfs = growths_of(std::move(request.opened), recording);
-  history->metal = metal_history(recording, request.tray, world_from_bone);
+  history->metal = metal_history(recording, request.tray, lying);
   history->hand = hand_history(recording);
   const std::vector<CutEvent> events = fragment_events(recording);
-  FragmentPaths paths = fragment_paths(events, recording.samples, world_from_bone);
+  FragmentPaths paths = fragment_paths(events, recording.samples, lying);
   std::vector<SpannedFragment> spanned =
-      fragment_spans({request.bone, recording, history->kerfs, request.bridges, events},
+      fragment_spans({request.bones, recording, history->kerfs, request.bridges, events},
                      part_of(progress, 0.0, spans_share));
   const auto count = static_cast<double>(spanned.size());
   for (std::size_t i = 0; i < spanned.size(); ++i) {

@@ -18,7 +18,7 @@
 #include "simulator/history/fragment_history.h"
 #include "simulator/history/hand_history.h"
 #include "simulator/history/metal_history.h"
-#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bones.h"
 #include "simulator/record/record.h"
 #include "simulator/tool/tray.h"
 
@@ -26,7 +26,7 @@ namespace hallux::simulator {
 
 /// What an attempt was made on and with.
 struct HistoryRequest {
-  const Bone& bone;
+  Bones bones;
   const Recording& recording;
   /// Of the recording, one per kerf.
   std::vector<OpenedField> opened;
@@ -45,7 +45,7 @@ struct PlaceOnFragment {
 /// Never changes once it was built.
 struct BoneHistory {
   std::vector<KerfGrowth> kerfs;
-  /// As FragmentPoses numbers them: the bone is the first.
+  /// As FragmentPoses numbers them: the bones are the first.
   std::vector<FragmentHistory> fragments;
   MetalHistory metal;
   HandHistory hand;

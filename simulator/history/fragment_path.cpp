@@ -24,8 +24,8 @@ bool is_of_fragments(CutEventKind kind) noexcept {
 /// Follows events and samples in the order of their ticks, an event before the sample of its tick.
 class PathWriter {
  public:
-  PathWriter(const std::vector<ToolSample>& samples, const RigidTransform& world_from_bone)
-      : samples_(samples), poses_(world_from_bone) {
+  PathWriter(const std::vector<ToolSample>& samples, const FragmentPoses& lying)
+      : samples_(samples), poses_(lying) {
     for (std::int32_t bone = 0; bone < poses_.bone_count(); ++bone) {
       made_.origins.push_back({bone, bone, -1, 0});
       made_.paths.emplace_back();
@@ -144,9 +144,8 @@ std::vector<CutEvent> fragment_events(const Recording& recording) {
 }
 
 FragmentPaths fragment_paths(const std::vector<CutEvent>& events,
-                             const std::vector<ToolSample>& samples,
-                             const RigidTransform& world_from_bone) {
-  PathWriter writer(samples, world_from_bone);
+                             const std::vector<ToolSample>& samples, const FragmentPoses& lying) {
+  PathWriter writer(samples, lying);
   for (const CutEvent& event : events) writer.apply(event);
   return std::move(writer).finish();
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "simulator/base/transform.h"
-#include "simulator/record/record.h"
+#include "simulator/record/fragment_poses.h"
 
 namespace hallux::simulator {
 
@@ -63,9 +63,9 @@ struct FragmentPaths {
 std::vector<CutEvent> fragment_events(const Recording& recording);
 
 /// events  of fragment_events
+/// lying   the bones' fragments before anything is moved
 /// ensures what names a fragment that there is not is passed over, as by FragmentPoses
 FragmentPaths fragment_paths(const std::vector<CutEvent>& events,
-                             const std::vector<ToolSample>& samples,
-                             const RigidTransform& world_from_bone);
+                             const std::vector<ToolSample>& samples, const FragmentPoses& lying);
 
 }  // namespace hallux::simulator

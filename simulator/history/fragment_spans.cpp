@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "simulator/jobs/lying_bones.h"
 #include "simulator/jobs/recorded_jobs.h"
 #include "simulator/record/fragment_poses.h"
 
@@ -56,15 +57,16 @@ std::vector<CutSolid> solids_left(CutBone& bone) {
 class SpanWriter {
  public:
   explicit SpanWriter(const SpansRequest& request)
-      : request_(request), poses_(request.bone.world_from_bone) {
-    begin(CutSolid{uncut_solid(solid_of(request.bone))}, std::nullopt, 0);
+      : request_(request), poses_(poses_of(request.bones)) {
+    for (const Bone& bone : request.bones)
+      begin(CutSolid{uncut_solid(solid_of(bone))}, std::nullopt, 0);
     next_piece_ = poses_.bone_count();
   }
 
   /// Events of a tick come before the jobs that were asked for in it.
   void follow(const Progress& progress) {
     if (request_.events.empty()) return;
-    jobs_ = recorded_jobs(request_.recording);
+    jobs_ = recorded_jobs(request_.recording, request_.bones.size());
     for (std::size_t i = 0; i < jobs_.size(); ++i) {
       report(progress, static_cast<double>(i) / static_cast<double>(jobs_.size()));
       apply_events(jobs_[i].request.tick);

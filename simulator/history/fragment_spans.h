@@ -16,7 +16,7 @@
 #include "simulator/base/progress.h"
 #include "simulator/bone/close_bridge.h"
 #include "simulator/history/bone_at_tick.h"
-#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bones.h"
 
 namespace hallux::simulator {
 
@@ -53,7 +53,7 @@ struct SpannedFragment {
 };
 
 struct SpansRequest {
-  const Bone& bone;
+  const Bones& bones;
   const Recording& recording;
   const std::vector<KerfGrowth>& growths;
   const PlannedBridges& bridges;

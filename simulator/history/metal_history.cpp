@@ -12,8 +12,8 @@ bool is_of_metal(CutEventKind kind) noexcept {
 
 class MetalFollower {
  public:
-  MetalFollower(const Tray& tray, const RigidTransform& world_from_bone)
-      : poses_(world_from_bone), bores_(tray), implants_(tray) {}
+  MetalFollower(const Tray& tray, const FragmentPoses& lying)
+      : poses_(lying), bores_(tray), implants_(tray) {}
 
   void apply(const CutEvent& event) {
     if (!poses_.apply(event)) return;
@@ -74,11 +74,11 @@ double BoreGrowth::opened_mm_at(std::int64_t tick) const noexcept {
 }
 
 MetalHistory metal_history(const Recording& recording, const Tray& tray,
-                           const RigidTransform& world_from_bone) {
+                           const FragmentPoses& lying) {
   const bool has_metal = std::any_of(recording.events.begin(), recording.events.end(),
                                      [](const CutEvent& each) { return is_of_metal(each.kind); });
   if (!has_metal) return {};
-  MetalFollower follower(tray, world_from_bone);
+  MetalFollower follower(tray, lying);
   auto event = recording.events.begin();
   for (const ToolSample& sample : recording.samples) {
     for (; event != recording.events.end() && event->tick <= sample.tick; ++event)

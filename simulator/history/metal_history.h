@@ -47,8 +47,9 @@ struct MetalHistory {
   std::vector<ImplantStay> implants;
 };
 
+/// lying   the bones' fragments before anything is moved
 /// ensures events that name what there is not are passed over
 MetalHistory metal_history(const Recording& recording, const Tray& tray,
-                           const RigidTransform& world_from_bone);
+                           const FragmentPoses& lying);
 
 }  // namespace hallux::simulator

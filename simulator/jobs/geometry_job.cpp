@@ -199,13 +199,14 @@ void AttemptGeometry::run_pieces(JobResult& result) {
   }
 }
 
-/// In the first fragment in which two kerfs end at the bridge.
+/// In the first fragment of its bone in which two kerfs end at the bridge.
 void AttemptGeometry::run_hinge(JobResult& result) {
   result.hinge.outcome = HingeOutcome::FacesMissing;
   const auto hinge = static_cast<std::size_t>(result.request.subject);
   if (hinge >= bridges_.size()) return;
   for (std::size_t i = 0; i < fragments_.size(); ++i) {
-    if (fragments_[i].is_out) continue;
+    const std::int32_t bone = kerfs_.fragments()[static_cast<std::int32_t>(i)].bone;
+    if (fragments_[i].is_out || bone != bridges_[hinge].bone) continue;
     result.hinge = close_bridge(fragments_[i].bone, bridges_[hinge]);
     result.divided.fragment = static_cast<std::int32_t>(i);
     if (result.hinge.outcome != HingeOutcome::FacesMissing) break;

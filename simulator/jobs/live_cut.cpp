@@ -14,8 +14,8 @@ constexpr std::int64_t ticks_between_wholes = 500;
 
 }  // namespace
 
-LiveCut::LiveCut(const BoneToCut& bone, const Tray& tray, const PlannedBridges& bridges)
-    : geometry_(bone, tray, bridges), bores_(tray), implants_(tray) {}
+LiveCut::LiveCut(std::span<const BoneToCut> bones, const Tray& tray, const PlannedBridges& bridges)
+    : geometry_(bones, tray, bridges), bores_(tray), implants_(tray) {}
 
 void LiveCut::apply(const ToolSample& sample) {
   tick_ = sample.tick;

@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "simulator/bone/growing_kerf.h"
@@ -27,7 +28,7 @@ namespace hallux::simulator {
 /// What the patch of the kerf that grows lies on.
 struct PatchBase {
   std::int32_t fragment = 0;
-  /// Empty and without a tree where nothing else was cut: it is the bone as it was.
+  /// Empty and without a tree where nothing else was cut: it is the bone of that number as it was.
   CutSolid solid;
   std::unique_ptr<const Bvh> tree;
 
@@ -49,8 +50,10 @@ struct FreedPiece {
 /// thread  one at a time; work without a bound: not the haptic one
 class LiveCut {
  public:
-  /// Borrows the bone's solid and its tree.
-  LiveCut(const BoneToCut& bone, const Tray& tray, const PlannedBridges& bridges = {});
+  /// Borrows the bones' solids and their trees.
+  LiveCut(std::span<const BoneToCut> bones, const Tray& tray, const PlannedBridges& bridges = {});
+  LiveCut(const BoneToCut& bone, const Tray& tray, const PlannedBridges& bridges = {})
+      : LiveCut(std::span(&bone, 1), tray, bridges) {}
 
   // What the loop feeds, in its order. The same jobs run at the same places as the loop's own, so
   // pieces have the same numbers here.

@@ -1,6 +1,7 @@
 #include "simulator/jobs/recorded_jobs.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <span>
 
@@ -35,7 +36,10 @@ bool has_hinge(std::span<const CutEvent> events) {
 /// Names the jobs of one line of the tape after the other.
 class JobNames {
  public:
-  explicit JobNames(const Recording& recording) : recording_(recording) {}
+  JobNames(const Recording& recording, std::size_t bones)
+      : recording_(recording), own_pieces_(bones) {
+    std::iota(own_pieces_.begin(), own_pieces_.end(), 0);
+  }
 
   void take(const TapeLine& line, std::vector<RecordedJob>& jobs) {
     const std::int64_t tick = line.tick + line.ticks - 1;
@@ -91,16 +95,16 @@ class JobNames {
   const Recording& recording_;
   std::vector<std::int32_t> known_;
   /// Of each fragment, the number that it has as a piece.
-  std::vector<std::int32_t> own_pieces_{0};
+  std::vector<std::int32_t> own_pieces_;
   /// Asked for last.
   std::int32_t hinge_ = 0;
 };
 
 }  // namespace
 
-std::vector<RecordedJob> recorded_jobs(const Recorded& recorded) {
+std::vector<RecordedJob> recorded_jobs(const Recorded& recorded, std::size_t bones) {
   std::vector<RecordedJob> jobs;
-  JobNames names(recorded.outputs);
+  JobNames names(recorded.outputs, bones);
   recorded.tape.visit([&](const TapeLine& line) {
     if (line.command_count > 0) names.take(line, jobs);
   });

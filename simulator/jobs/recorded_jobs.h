@@ -18,9 +18,10 @@ struct RecordedJob {
 
 /// The jobs that the input tape applied, in the order in which they were asked for. The tape names
 /// them by number and tick; the events of the tick that applied one say what it was.
+/// bones   of the patient
 /// needs   tape and events are in the order of their ticks
 /// ensures nothing where the recording has no tape
 /// errors  those of whoever keeps the tape
-std::vector<RecordedJob> recorded_jobs(const Recorded& recorded);
+std::vector<RecordedJob> recorded_jobs(const Recorded& recorded, std::size_t bones = 1);
 
 }  // namespace hallux::simulator

@@ -51,7 +51,7 @@ class AttemptRun {
       return;
     }
     const SimulationSetup& simulated = setup.simulation;
-    whole_.emplace(simulated, setup.whole);
+    whole_.emplace(simulated, setup.wholes);
     if (setup.pacing == Pacing::RealTime) {
       own_jobs_ = std::make_unique<ThreadedJobs>(whole_->all(), simulated.tray, simulated.bridges);
     } else {

@@ -36,9 +36,9 @@ struct AttemptSetup {
   ForceLaw force_law = ForceLaw::Simulated;
   /// Who answers to what comes out; outlives the attempt.
   AttemptOperator* attempt_operator = nullptr;
-  /// What jobs on a thread cut, where somebody has it already; outlives the attempt. None: it is
-  /// made.
-  const WholeBone* whole = nullptr;
+  /// By bone what jobs on a thread cut, where somebody has it already; outlives the attempt. Those
+  /// that are not there are made.
+  std::vector<const WholeBone*> wholes = {};
   /// Where jobs run; outlives the attempt. None: on a thread in RealTime, at once in Virtual.
   JobRunner* job_runner = nullptr;
 };

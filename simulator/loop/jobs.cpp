@@ -20,11 +20,11 @@ TissueMaps::TissueMaps(std::span<const Bone* const> bones) {
   for (const Bone* bone : bones) maps_.push_back(&made_.emplace_back(*bone));
 }
 
-WholeBones::WholeBones(const SimulationSetup& setup, const WholeBone* first) {
+WholeBones::WholeBones(const SimulationSetup& setup, std::span<const WholeBone* const> had) {
   for (const Bone* bone : setup.bones()) {
-    const bool is_had = bones_.empty() && first != nullptr;
+    const bool is_had = bones_.size() < had.size();
     if (!is_had) own_.push_back(std::make_unique<const WholeBone>(solid_of(*bone)));
-    bones_.push_back({is_had ? *first : *own_.back(), bone->world_from_bone});
+    bones_.push_back({is_had ? *had[bones_.size()] : *own_.back(), bone->world_from_bone});
   }
 }
 

@@ -40,8 +40,8 @@ class TissueMaps {
 /// Their solids and trees, which the jobs cut.
 class WholeBones {
  public:
-  /// first  where somebody has the first bone's already; borrowed
-  explicit WholeBones(const SimulationSetup& setup, const WholeBone* first = nullptr);
+  /// had  by bone, where somebody has the first ones already; borrowed
+  explicit WholeBones(const SimulationSetup& setup, std::span<const WholeBone* const> had = {});
 
   std::span<const BoneToCut> all() const noexcept { return bones_; }
 

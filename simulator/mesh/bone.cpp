@@ -1,6 +1,7 @@
 #include "simulator/mesh/bone.h"
 
 #include "simulator/base/elementary.h"
+#include "simulator/mesh/bones.h"
 
 namespace hallux::simulator {
 
@@ -14,6 +15,22 @@ IndexedMesh solid_of(const Bone& bone) {
   IndexedMesh solid = bone.outer;
   append_mesh(solid, bone.canal);
   return solid;
+}
+
+RigidTransform first_from(const Bones& bones, std::size_t bone) noexcept {
+  if (bone == 0) return {};
+  return inverse(bones.first().world_from_bone) * bones[bone].world_from_bone;
+}
+
+IndexedMesh outsides_of(const Bones& bones) {
+  IndexedMesh all = bones.first().outer;
+  for (std::size_t bone = 1; bone < bones.size(); ++bone) {
+    const RigidTransform first_from_bone = first_from(bones, bone);
+    IndexedMesh lying = bones[bone].outer;
+    for (Vec3& point_mm : lying.points_mm) point_mm = transform_point(first_from_bone, point_mm);
+    append_mesh(all, lying);
+  }
+  return all;
 }
 
 std::optional<Vec3> find_landmark(const Bone& bone, std::string_view name) {

@@ -3,7 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "simulator/mesh/bone.h"
+#include "simulator/base/check.h"
+#include "simulator/mesh/bones.h"
 #include "simulator/mesh/mesh_text.h"
 
 /// The stored form of a bone. All little endian; a text is its length (32 bits) and its letters; a
@@ -13,13 +14,21 @@
 ///     "HALLUXB1" | name | generator | credit | outer | canal | 0 or 1, cortex law | landmarks |
 ///     world_from_bone
 ///
-/// Every bone has exactly one form and nothing may follow it, so the digest of the bytes names the
-/// bone. `pass` is that form: a writer and a reader go through the fields in its order.
+/// Several bones are one after the other, each whole and led by the length of its bytes (64 bits):
+///
+///     "HALLUXP1" | their count (32 bits), 2 at least | length | bone | length | bone ...
+///
+/// Every bone and every patient has exactly one form and nothing may follow it, so the digest of
+/// the bytes names it. `pass` is the form of a bone: a writer and a reader go through the fields in
+/// its order.
 namespace hallux::simulator {
 
 namespace {
 
-constexpr std::string_view magic = "HALLUXB1";
+constexpr std::string_view magic = "HALLUXB1", magic_of_several = "HALLUXP1";
+
+/// More than any patient has; a count beyond it is damage.
+constexpr std::uint32_t bones_at_most = 4;
 
 class BoneWriter {
  public:
@@ -32,6 +41,10 @@ class BoneWriter {
   void real(double value) { whole(std::bit_cast<std::uint64_t>(value)); }
   void letters(std::string_view letters) {
     for (const char letter : letters) whole(static_cast<std::uint8_t>(letter));
+  }
+  void bone(std::span<const std::byte> bytes) {
+    whole(std::uint64_t{bytes.size()});
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
   }
   void text(std::string_view text) {
     whole(static_cast<std::uint32_t>(text.size()));
@@ -73,6 +86,9 @@ class BoneReader {
     return letters;
   }
   void text(std::string& text) { text = letters(taken<std::uint32_t>()); }
+  std::uint32_t count_of_bones() { return taken<std::uint32_t>(); }
+  /// The bytes of the next bone.
+  std::span<const std::byte> bone() { return take(taken_count<std::uint64_t>(1)); }
   void presence(std::optional<CortexLaw>& law) {
     const auto is_there = taken<std::uint8_t>();
     if (is_there > 1) refuse_bone("is damaged " + place());
@@ -182,6 +198,31 @@ Bone decode_bone(std::span<const std::byte> bytes) {
   pass(reader, bone);
   if (reader.left() != 0) refuse_bone("goes on after its end " + reader.place());
   return bone;
+}
+
+std::vector<std::byte> encode_patient(Bones bones) {
+  CHECK(bones.size() > 0);
+  if (bones.size() == 1) return encode_bone(bones.first());
+  BoneWriter writer;
+  writer.letters(magic_of_several);
+  writer.whole(static_cast<std::uint32_t>(bones.size()));
+  for (const Bone& bone : bones) writer.bone(encode_bone(bone));
+  return writer.take();
+}
+
+std::vector<Bone> decode_patient(std::span<const std::byte> bytes) {
+  BoneReader reader{bytes};
+  std::vector<Bone> bones;
+  if (bytes.size() < magic_of_several.size() ||
+      reader.letters(magic_of_several.size()) != magic_of_several) {
+    bones.push_back(decode_bone(bytes));
+    return bones;
+  }
+  const std::uint32_t count = reader.count_of_bones();
+  if (count < 2 || count > bones_at_most) refuse_bone("has a count of bones that none has");
+  for (std::uint32_t i = 0; i < count; ++i) bones.push_back(decode_bone(reader.bone()));
+  if (reader.left() != 0) refuse_bone("goes on after its end " + reader.place());
+  return bones;
 }
 
 }  // namespace hallux::simulator

@@ -254,7 +254,10 @@ enum class CutEventKind : std::int32_t {
   /// Subject: implant; it is in the driver again.
   ImplantTaken = 40,
   /// Subject: why (ImplantRefusal); value: the implant, -1 where one was to be left.
-  ImplantRefused = 41
+  ImplantRefused = 41,
+  /// Subject: piece, whose PieceFreed follows; value: the fragment that it is of. Of a piece of the
+  /// first bone it is not said.
+  PieceOfFragment = 42
 };
 
 /// Something that happened once, at the end of one tick.

@@ -56,6 +56,10 @@ Standing standing_along(const Vec3& from_mm, const Vec3& feed, const StandingBon
 
 }  // namespace
 
+bool is_standing(const Vec3& point_mm, const StandingBone& bone) noexcept {
+  return bone.whole.contains(point_mm) && stands(point_mm, bone);
+}
+
 BladeAhead look_ahead(const RigidTransform& bone_from_tool, const Blade& blade,
                       const StandingBone& bone) {
   const Vec3 feed = axis_x(bone_from_tool), along = axis_y(bone_from_tool);

@@ -33,6 +33,9 @@ struct BladeAhead {
   double beside_mm = 0.0;
 };
 
+/// Whether bone stands at that point of the fragment's frame.
+bool is_standing(const Vec3& point_mm, const StandingBone& bone) noexcept;
+
 /// How far ahead bone is looked for.
 inline constexpr double looked_ahead_mm = 80.0;
 

@@ -14,6 +14,10 @@ namespace {
 
 /// No section is longer.
 constexpr double longest_mm = 120.0;
+/// Of a rim that is asked about: so far inside the bone, and so many places for one of the grid.
+constexpr double rim_inset_mm = 0.003, rim_steps = 5.0;
+/// What stands there is of no more than this.
+constexpr double sliver_share = 1.0e-4;
 
 /// Nodes of a kerf's plane, line by line along u.
 struct Grid {
@@ -185,6 +189,31 @@ void find_deepest(HeldSection& held, const Grid& grid, const std::vector<std::ui
   held.depth_mm = grid.spacing_mm * static_cast<double>(*deepest);
 }
 
+/// A sliver along the rim lies between the nodes: the first place just inside a contour of these
+/// regions that stands.
+template <typename IsOpen>
+std::optional<Vec2> standing_on_rim(const Section& section, const std::vector<bool>& is_asked,
+                                    const std::optional<PlaneLimit>& limit, double step_mm,
+                                    const IsOpen& is_open) {
+  for (std::size_t region = 0; region < section.regions.size(); ++region) {
+    if (!is_asked[region + 1]) continue;
+    for (const Contour& contour : section.regions[region].contours) {
+      for (std::size_t i = 0; i < contour.size(); ++i) {
+        const Vec2 from_mm = contour[i], way_mm = contour[(i + 1) % contour.size()] - from_mm;
+        const double length_mm = glm::length(way_mm);
+        if (!(length_mm > 0.0)) continue;
+        const Vec2 inward = Vec2(-way_mm.y, way_mm.x) / length_mm;
+        for (double along_mm = 0.0; along_mm < length_mm; along_mm += step_mm) {
+          const Vec2 place_mm = from_mm + along_mm / length_mm * way_mm + rim_inset_mm * inward;
+          if (limit && glm::dot(limit->outward, place_mm) > limit->limit_mm) continue;
+          if (!is_open(place_mm)) return place_mm;
+        }
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 HeldSection held_section(const Section& section, const FragmentKerfs& kerfs, std::int32_t kerf,
@@ -210,6 +239,14 @@ HeldSection held_section(const Section& section, const FragmentKerfs& kerfs, std
   for (std::size_t region = 0; region < section.regions.size(); ++region)
     if (is_asked[region + 1]) held.regions.push_back(region);
   find_deepest(held, filled.grid, stands);
+  if (standing.count > 0.0 || asked.count == 0.0) return held;
+  const auto sliver_mm =
+      standing_on_rim(section, is_asked, limit, spacing_mm / rim_steps,
+                      [&](const Vec2& place_mm) { return opened.is_open(place_mm); });
+  if (sliver_mm) {
+    held.share = sliver_share;
+    held.middle_mm = held.deepest_mm = *sliver_mm;
+  }
   return held;
 }
 

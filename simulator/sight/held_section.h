@@ -42,6 +42,7 @@ struct PlaneLimit {
 inline constexpr double held_spacing_mm = 0.2;
 
 /// Of the regions of the section that the blade has touched; of the largest where it touched none.
+/// Where no place of the grid stands, the rim is asked more closely: what stands there is a sliver.
 /// needs   the section is of this kerf's plane, of what the fragment was cut from
 /// errors  none: a plane that misses the bone holds nothing
 /// thread  any; about a millisecond, at a finer spacing as the square of it

@@ -13,18 +13,18 @@ void PieceBook::learn(std::span<FoundPiece> pieces, std::int32_t fragment) noexc
   announced_[index(fragment)] = 0;
 }
 
-const FoundPiece* PieceBook::announce_next() noexcept {
+KnownPiece PieceBook::announce_next() noexcept {
   for (std::int32_t fragment = 0; fragment < fragment_count_; ++fragment) {
     const std::span<FoundPiece> pieces = pieces_[index(fragment)];
     std::size_t& announced = announced_[index(fragment)];
     while (announced < pieces.size()) {
-      const FoundPiece& piece = pieces[announced++];
+      FoundPiece& piece = pieces[announced++];
       if (!piece.is_new) continue;
       freed_last_ = piece.id;
-      return &piece;
+      return {&piece, fragment, false};
     }
   }
-  return nullptr;
+  return {};
 }
 
 bool PieceBook::is_all_announced() const noexcept {

@@ -38,8 +38,8 @@ class PieceBook {
   /// of those that are taken out for the book's lifetime; those that came free are announced from
   /// the first.
   void learn(std::span<FoundPiece> pieces, std::int32_t fragment = 0) noexcept;
-  /// The next piece that came free, or null where none is left to announce.
-  const FoundPiece* announce_next() noexcept;
+  /// The next piece that came free, out meanwhile or not; null where none is left to announce.
+  KnownPiece announce_next() noexcept;
   bool is_all_announced() const noexcept;
 
   /// To be taken out as soon as the pieces are known; 0: none.

@@ -16,6 +16,8 @@ namespace {
 
 /// Pieces, and sections that were taken, announced in one step; more wait for the next.
 constexpr std::size_t pieces_per_step = 2, sections_per_step = 2;
+/// That it came free, and of another bone than the first.
+constexpr std::size_t events_of_piece = 2;
 /// Of the kerfs' memory: the shipped operations open 230 to 800 tiles. Whoever opens more has it
 /// touched ahead of the blade, a little in each step.
 constexpr std::size_t tiles_ready_at_start = 2048, tiles_kept_ready = 512;
@@ -29,8 +31,9 @@ constexpr std::size_t events_of_commands = 2 * commands_per_tick + 1;
 /// came through, metal met, a screw seated, a bore entered or begun.
 constexpr std::size_t events_of_motion = 4, events_of_implants = 1;
 constexpr std::size_t events_of_fault = 1, events_of_piece_taken = 1, events_of_grip = 1;
-static_assert(events_of_commands + events_of_fault + sections_per_step + pieces_per_step +
-                  events_of_piece_taken + events_of_grip + events_of_implants + events_of_motion <=
+static_assert(events_of_commands + events_of_fault + sections_per_step +
+                  events_of_piece * pieces_per_step + events_of_piece_taken + events_of_grip +
+                  events_of_implants + events_of_motion <=
               events_per_step);
 
 FragmentPoses poses_of(const SimulationSetup& setup) noexcept {
@@ -294,8 +297,9 @@ void Simulation::announce_pieces(StepWriter& out) noexcept {
     out.say(CutEventKind::SectionCovered, kerf);
   }
   for (std::size_t said = 0; said < pieces_per_step; ++said) {
-    const FoundPiece* const piece = pieces_.announce_next();
+    const auto [piece, fragment, is_own] = pieces_.announce_next();
     if (piece == nullptr) return;
+    if (poses()[fragment].bone != 0) out.say(CutEventKind::PieceOfFragment, piece->id, fragment);
     out.say(CutEventKind::PieceFreed, piece->id, thousandths(piece->volume_mm3), place_of(*piece));
   }
 }

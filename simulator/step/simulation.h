@@ -36,7 +36,7 @@ struct StepInput {
 /// The matter of an attempt: the bone, the tools, and the rules between them. Who attempts, and how
 /// time goes on, is the loop's. An attempt and its replay have the same.
 struct SimulationSetup {
-  /// Borrowed for as long as the setup lives. Its frame is that of events and danger zones.
+  /// Borrowed for as long as the setup lives. Danger zones are said in its frame.
   const Bone& bone;
   Tray tray = {};
   ContactSettings contact = {};

@@ -140,7 +140,7 @@ TEST(Bounds, HoldForTheClosedWedge) {
 
 /// What faces and pieces tell, and closing.
 std::vector<Measurement> measured_on(const Evidence& evidence) {
-  std::vector<Measurement> all = measure_geometry(evidence, simulator::Bvh(evidence.bone.outer));
+  std::vector<Measurement> all = measure_geometry(evidence, BoneSurfaces(evidence.bones));
   std::vector<Measurement> closings = measure_closings(evidence);
   std::move(closings.begin(), closings.end(), std::back_inserter(all));
   return all;
@@ -168,8 +168,8 @@ std::vector<std::vector<CutFace>> finer_faces(const Examination& examination) {
 void expect_halving_holds(const ExaminedAttempt& made) {
   const Evidence as_is = made.evidence();
   const auto faces = finer_faces(made.examination);
-  const Evidence finer{as_is.scenario, as_is.plan, as_is.rebuilt,
-                       faces,          as_is.bone, as_is.recording};
+  const Evidence finer{as_is.scenario, as_is.plan,  as_is.rebuilt,
+                       faces,          as_is.bones, as_is.recording};
   const std::vector<Measurement> coarse = measured_on(as_is), fine = measured_on(finer);
   ASSERT_EQ(coarse.size(), fine.size());
   for (std::size_t index = 0; index < coarse.size(); ++index) {
@@ -243,8 +243,8 @@ TEST(Bounds, HoldForTheJointsMarginWhereItsGridIsHalved) {
   for (const double last_y_mm : {3.33, 0.0, -4.71}) {
     const ExaminedAttempt made =
         examined(scenario, {Stroke{.tilt_rad = 0.05, .last_y_mm = last_y_mm}});
-    const auto finer = measure_joint_margin(made.examination.rebuilt, made.examination.plan,
-                                            made.bone.outer, 0.05);
+    const auto finer =
+        measure_joint_margin(made.examination.rebuilt, made.examination.plan, made.bone, 0.05);
     expect_exact(made, "joint_margin_mm", "", finer.value().margin_mm, 0.0);
   }
 }

@@ -58,7 +58,7 @@ Listed listed(const Measurement& each) {
 std::vector<Measurement> measured(const Performance& performance) {
   scenarios::Scenario scenario = scenarios::load_shipped_scenario(performance.operation);
   scenario.patient.edge_mm = coarse_mm;
-  const simulator::Bone bone = make_patient(scenario);
+  const simulator::Bone bone = make_patient_bones(scenario).front();
   const scenarios::Plan plan = plan_on(scenario, bone);
   scenarios::FeelingHand hand(
       scenario, bone, plan,

@@ -15,7 +15,7 @@ constexpr std::uint64_t seed = 85574;
 
 TEST(NoviceWedge, AWedgeThatIsOpenMediallyIsNotScoredAsTurnedOver) {
   const scenarios::Scenario scenario = scenarios_test::format_1("akin");
-  const simulator::Bone bone = make_patient(scenario);
+  const simulator::Bone bone = make_patient_bones(scenario).front();
   const simulator::Recording recording = tests::run_hand(scenario, bone, "novice", seed).recording;
   const Examination examination = assess_fully(scenario, bone, recording, "scripted");
   const std::string hinge = scenario.hinges.at(0).name;

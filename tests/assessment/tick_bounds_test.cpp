@@ -39,7 +39,7 @@ bool is_by_touches(const Measurement& made) { return made.metric == "air_cutting
 void expect_half_the_ticks_hold(const char* operation, const char* hand, std::uint64_t seed) {
   scenarios::Scenario scenario = scenarios::load_shipped_scenario(operation);
   scenario.patient.edge_mm = 1.2;
-  const simulator::Bone bone = make_patient(scenario);
+  const simulator::Bone bone = make_patient_bones(scenario).front();
   const Recording recording = tests::run_hand(scenario, bone, hand, seed).recording;
   const auto fine = assess_fully(scenario, bone, recording, "scripted").measurements;
   const auto coarse = assess_fully(scenario, bone, thinned(recording), "scripted").measurements;

@@ -29,7 +29,7 @@ double microseconds_since(Clock::time_point before) {
 struct RecordedSilver {
   RecordedSilver() : silver(scenarios::load_shipped_scenario("silver")) {
     silver.patient.edge_mm = 0.32;
-    bone = make_patient(silver);
+    bone = make_patient_bones(silver).front();
     recording = run_hand(silver, bone, "expert", 1).recording;
   }
 

@@ -1,4 +1,4 @@
-/// Feeds any bytes to decode_bone: it must throw MeshError, or give the bone of exactly these
+/// Feeds any bytes to decode_patient: it must throw MeshError, or give the bones of exactly these
 /// bytes.
 #include <algorithm>
 #include <cstddef>
@@ -6,13 +6,13 @@
 #include <span>
 
 #include "simulator/base/check.h"
-#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bones.h"
 #include "simulator/mesh/mesh_error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
   const auto input = std::as_bytes(std::span{bytes, size});
   try {
-    const auto back = hallux::simulator::encode_bone(hallux::simulator::decode_bone(input));
+    const auto back = hallux::simulator::encode_patient(hallux::simulator::decode_patient(input));
     CHECK(std::equal(back.begin(), back.end(), input.begin(), input.end()));
   } catch (const hallux::simulator::MeshError&) {
   }

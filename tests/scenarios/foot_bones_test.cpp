@@ -74,11 +74,11 @@ TEST(FootBones, AreTheOnesThatTheSchemaLists) {
 TEST(FootBones, AThirdIsATableAndARow) {
   const std::vector<FootBone> rows = with_a_third();
   const Scenario scenario = parse_scenario(akin_of_the_third().dump(), "akin.json", rows);
-  const simulator::Bone bone = make_patient(scenario, {}, rows);
+  const simulator::Bone bone = make_patient_bones(scenario, {}, rows).front();
   EXPECT_EQ(bone.name, "second_proximal_phalanx");
-  EXPECT_EQ(neighbour_of(scenario, 1.5, rows).name, "first_proximal_phalanx");
+  EXPECT_EQ(neighbour_of(scenario, 1.5, rows)->name, "first_proximal_phalanx");
   EXPECT_EQ(plan_on(scenario, bone).cuts.size(), 2U);
-  EXPECT_THROW(make_patient(scenario), ScenarioError) << "the foot has it not";
+  EXPECT_THROW(make_patient_bones(scenario), ScenarioError) << "the foot has it not";
 }
 
 TEST(FootBones, ARowBoundsWhatAScenarioMayAskFor) {

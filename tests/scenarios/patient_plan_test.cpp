@@ -24,7 +24,7 @@ double distance_to_segment_mm(const Vec3& point, const Vec3& from, const Vec3& t
 }
 
 TEST(PatientPlan, OfSilverTakesTheEminenceAndKeepsTheHeadAndTheShaft) {
-  const simulator::Bone patient = make_patient(coarse_silver());
+  const simulator::Bone patient = make_patient_bones(coarse_silver()).front();
   const PlannedCut cut = plan_on(coarse_silver(), patient).cuts.at(0);
   const auto height_mm = [&](std::string_view landmark) {
     const Vec3 point = simulator::find_landmark(patient, landmark).value();
@@ -40,7 +40,7 @@ TEST(PatientPlan, OfSilverTakesTheEminenceAndKeepsTheHeadAndTheShaft) {
 
 TEST(PatientPlan, OfSilverHasItsDangerZonesOutsideTheBone) {
   const Scenario silver = coarse_silver();
-  const simulator::Bone patient = make_patient(silver);
+  const simulator::Bone patient = make_patient_bones(silver).front();
   for (const DangerZone& zone : silver.danger_zones) {
     double nearest_mm = 1000.0;
     for (const Vec3& point : patient.outer.points_mm) {

@@ -22,7 +22,7 @@ Plan plan_of(const Scenario& scenario) {
 
 TEST(PlannedGuide, LeadsToTheCutOfTheStepAndWhileLookingToTheNext) {
   const Scenario akin = scenarios_test::format_1("akin");
-  const auto planes = planned_guide(akin, plan_of(akin), Guidance::Soft).of_step;
+  const auto planes = planned_guide(akin, plan_of(akin), simulator::Bone{}, Guidance::Soft).of_step;
   const double half_kerf_mm = 0.5 * akin.saw.blade.kerf_mm;
   ASSERT_TRUE(planes[0] && planes[1] && planes[2]);
   EXPECT_EQ(planes[0]->offset_mm, 10.0 + half_kerf_mm) << "looking, before the first cut";
@@ -34,7 +34,8 @@ TEST(PlannedGuide, LeadsToTheCutOfTheStepAndWhileLookingToTheNext) {
 
 TEST(PlannedGuide, OfNobodyWhoAskedForOneIsEmpty) {
   const Scenario akin = scenarios_test::format_1("akin");
-  const simulator::GuidePlan guide = planned_guide(akin, plan_of(akin), Guidance::None);
+  const simulator::GuidePlan guide =
+      planned_guide(akin, plan_of(akin), simulator::Bone{}, Guidance::None);
   EXPECT_EQ(guide.guidance, Guidance::None);
   for (const auto& plane : guide.of_step) EXPECT_FALSE(plane);
 }

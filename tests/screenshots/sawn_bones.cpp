@@ -28,7 +28,7 @@ PlannedBone akin_phalanx(double edge_mm) {
   PlannedBone result;
   result.scenario = scenarios_test::format_1("akin");
   result.scenario.patient.edge_mm = edge_mm;
-  result.bone = make_patient(result.scenario);
+  result.bone = make_patient_bones(result.scenario).front();
   result.plan = plan_on(result.scenario, result.bone);
   result.solid = uncut_solid(solid_of(result.bone));
   return result;

@@ -23,21 +23,22 @@ constexpr std::string_view bone_asset = "bone";
 
 }  // namespace
 
-simulator::Bone patient_of(const scenarios::Scenario& scenario, const StageProgress& progress) {
+std::vector<simulator::Bone> patient_of(const scenarios::Scenario& scenario,
+                                        const StageProgress& progress) {
   return cancelled_as("stopped while the bone was being built; nothing was stored", [&] {
-    return scenarios::make_patient(scenario, progress("Building the bone"));
+    return scenarios::make_patient_bones(scenario, progress("Building the bone"));
   });
 }
 
-void put_bone(database::Database& database, const simulator::Bone& bone,
-              database::NewAttempt& begun) {
-  begun.bone = put_asset(database, bone_asset, encode_bone(bone));
+void put_patient(database::Database& database, const simulator::Bones& bones,
+                 database::NewAttempt& begun) {
+  begun.bone = put_asset(database, bone_asset, encode_patient(bones));
 }
 
 namespace {
 
 database::NewAttempt describe(database::Database& database, const ScriptedAttempt& attempt,
-                              const simulator::Bone& bone,
+                              const simulator::Bones& bones,
                               const simulator::DeviceDescription& device) {
   const scenarios::Scenario& scenario = attempt.scenario;
   database::NewAttempt begun;
@@ -48,13 +49,13 @@ database::NewAttempt describe(database::Database& database, const ScriptedAttemp
   begun.guidance = attempt.guidance;
   begun.device_class = device.device_class;
   begun.pacing = attempt.pacing == simulator::Pacing::RealTime ? "real_time" : "virtual";
-  put_bone(database, bone, begun);
+  put_patient(database, bones, begun);
   return begun;
 }
 
 /// `setup` is told how long it takes and who says commands.
 std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt,
-                                                  const simulator::Bone& bone,
+                                                  const simulator::Bones& bones,
                                                   const scenarios::Plan& plan,
                                                   simulator::AttemptSetup& setup) {
   if (attempt.held) {
@@ -62,7 +63,7 @@ std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt
     setup.force_law = attempt.held->force_law;
     setup.commands = {{0, {simulator::CommandKind::Start, 0, 0}},
                       {setup.last_tick, {simulator::CommandKind::Finish, 0, 0}}};
-    return attempt.held->lend(bone, plan);
+    return attempt.held->lend(bones, plan);
   }
   if (attempt.motion) {
     setup.commands = attempt.motion->commands;
@@ -76,7 +77,7 @@ std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt
     return std::make_unique<simulator::ScriptedDevice>(*attempt.motion);
   }
   auto hand = std::make_unique<scenarios::FeelingHand>(
-      attempt.scenario, bone, plan,
+      attempt.scenario, bones, plan,
       scenarios::with_faults(scenarios::hand_skill(attempt.hand), attempt.faults), attempt.seed);
   setup.last_tick = hand->end_tick();
   setup.attempt_operator = hand.get();
@@ -85,11 +86,11 @@ std::unique_ptr<simulator::HapticDevice> hand_for(const ScriptedAttempt& attempt
 
 }  // namespace
 
-SetUpHand set_up_hand(const ScriptedAttempt& attempt, const simulator::Bone& bone,
+SetUpHand set_up_hand(const ScriptedAttempt& attempt, simulator::Bones bones,
                       const scenarios::Plan& plan) {
-  SetUpHand made{{simulation_setup(attempt.scenario, bone, plan, attempt.guidance)}, nullptr};
+  SetUpHand made{{simulation_setup(attempt.scenario, bones, plan, attempt.guidance)}, nullptr};
   made.setup.pacing = attempt.pacing;
-  made.hand = hand_for(attempt, bone, plan, made.setup);
+  made.hand = hand_for(attempt, bones, plan, made.setup);
   return made;
 }
 
@@ -98,16 +99,16 @@ namespace {
 /// All but the card. What it took is let go of before somebody scores it.
 AttemptOutcome operate(database::Database& database, database::HouseDesk& desk,
                        const ScriptedAttempt& attempt, const StageProgress& progress) {
-  const simulator::Bone bone = patient_of(attempt.scenario, progress);
+  const std::vector<simulator::Bone> bones = patient_of(attempt.scenario, progress);
   // The plan is laid on the patient before anything is stored, also where a motion from a file does
   // not need it.
-  const scenarios::Plan plan = plan_on(attempt.scenario, bone);
-  const SetUpHand set_up = set_up_hand(attempt, bone, plan);
+  const scenarios::Plan plan = plan_on(attempt.scenario, bones);
+  const SetUpHand set_up = set_up_hand(attempt, bones, plan);
 
   AttemptOutcome outcome;
   simulator::AttemptChannels channels;
   database::Recorder recorder(
-      database, desk.begin_attempt(describe(database, attempt, bone, set_up.hand->description())),
+      database, desk.begin_attempt(describe(database, attempt, bones, set_up.hand->description())),
       channels);
   outcome.attempt = recorder.attempt();
   const auto operating = progress("Operating");
@@ -138,7 +139,7 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
   outcome.card = std::move(examination.card);
   if (attempt.asks_what_is_left) {
     outcome.left =
-        left_behind(material.scenario, examination.plan, material.bone, material.recording,
+        left_behind(material.scenario, examination.plan, material.bones, material.recording,
                     std::move(examination.rebuilt), progress("Looking at what is left"));
   }
   return outcome;
@@ -154,7 +155,7 @@ AttemptMaterial load_patient(database::Database& database, database::AttemptDesk
   const database::ScenarioText text =
       get_scenario_version(database, material.header.begun.scenario);
   material.scenario = scenarios::parse_scenario(text.json, text.name);
-  material.bone = simulator::decode_bone(get_asset(database, material.header.begun.bone));
+  material.bones = simulator::decode_patient(get_asset(database, material.header.begun.bone));
   return material;
 }
 
@@ -209,10 +210,10 @@ std::optional<simulator::ReplayResult> replay_attempt(const AttemptMaterial& mat
   if (material.header.begun.engine != simulator::engine_version) return std::nullopt;
   bool is_cancelled = false;
   const auto report = progress("Replaying");
-  const scenarios::Plan plan = plan_on(material.scenario, material.bone);
+  const scenarios::Plan plan = plan_on(material.scenario, material.bones);
   const simulator::ReplayResult result = replay(
       material.recording,
-      simulation_setup(material.scenario, material.bone, plan, material.header.begun.guidance),
+      simulation_setup(material.scenario, material.bones, plan, material.header.begun.guidance),
       [&](double fraction) {
         is_cancelled = report && !report(fraction);
         return !is_cancelled;
@@ -244,7 +245,7 @@ std::optional<database::StoredScore> told_score(database::AttemptDesk& desk,
 assessment::Examination score_attempt(const AttemptMaterial& material,
                                       const StageProgress& progress) {
   return cancelled_as("stopped while scoring; nothing was changed", [&] {
-    return assessment::assess_fully(material.scenario, material.bone, material.recorded(),
+    return assessment::assess_fully(material.scenario, material.bones, material.recorded(),
                                     material.header.begun.device_class, progress("Scoring"));
   });
 }

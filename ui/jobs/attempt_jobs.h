@@ -29,8 +29,8 @@ using StageProgress = std::function<Progress(const std::string& stage)>;
 
 /// Somebody's hand on a device, in place of a scripted one.
 struct HeldHand {
-  /// The device for this bone and plan; outlived by what it borrows.
-  std::function<std::unique_ptr<simulator::HapticDevice>(const simulator::Bone& bone,
+  /// The device for these bones and plan; outlived by what it borrows.
+  std::function<std::unique_ptr<simulator::HapticDevice>(const simulator::Bones& bones,
                                                          const scenarios::Plan& plan)>
       lend;
   std::int64_t last_tick = 0;
@@ -57,9 +57,10 @@ struct ScriptedAttempt {
   bool asks_what_is_left = false;
 };
 
-/// The patient of a scenario.
+/// The patient of a scenario: all its bones.
 /// errors  ScenarioError, MeshError; Cancelled
-simulator::Bone patient_of(const scenarios::Scenario& scenario, const StageProgress& progress);
+std::vector<simulator::Bone> patient_of(const scenarios::Scenario& scenario,
+                                        const StageProgress& progress);
 
 /// Who carries an attempt out, and how it is run.
 struct SetUpHand {
@@ -68,14 +69,14 @@ struct SetUpHand {
   std::unique_ptr<simulator::HapticDevice> hand;
 };
 /// The motion of the attempt, or the hand of its name and seed.
-/// needs   the plan is the scenario's on this bone; all three outlive what is returned
-SetUpHand set_up_hand(const ScriptedAttempt& attempt, const simulator::Bone& bone,
+/// needs   the plan is the scenario's on these bones; all three outlive what is returned
+SetUpHand set_up_hand(const ScriptedAttempt& attempt, simulator::Bones bones,
                       const scenarios::Plan& plan);
 
-/// Stores the bone operated on and names it in what begins.
+/// Stores the patient that is operated on, as one, and names it in what begins.
 /// errors  DatabaseError
-void put_bone(database::Database& database, const simulator::Bone& bone,
-              database::NewAttempt& begun);
+void put_patient(database::Database& database, const simulator::Bones& bones,
+                 database::NewAttempt& begun);
 
 struct AttemptOutcome {
   database::AttemptId attempt;
@@ -99,11 +100,13 @@ AttemptOutcome run_scripted_attempt(database::Database& database, const Scripted
 struct AttemptMaterial {
   database::AttemptHeader header;
   scenarios::Scenario scenario;
-  simulator::Bone bone;
+  /// Of the patient, the operated one first.
+  std::vector<simulator::Bone> bones;
   simulator::Recording recording;
   /// Where the recording is without its tape: that, where somebody scores it.
   database::PackedTape packed_tape = {};
 
+  const simulator::Bone& bone() const noexcept { return bones.front(); }
   /// The recording with its tape, wherever that is; borrows both.
   simulator::Recorded recorded() const;
 };

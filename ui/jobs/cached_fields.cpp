@@ -115,17 +115,16 @@ OpenedFields fields_of(const AttemptMaterial& material, const std::filesystem::p
                        const Progress& progress) {
   const Digest key = key_of(material);
   const simulator::Tray tray = scenarios::tray_of(material.scenario);
-  const RigidTransform& world_from_bone = material.bone.world_from_bone;
   if (const auto kept =
           database::load_cached(data_directory, cached_fields_name(material.header.id), key)) {
     std::optional<OpenedFields> fields = fields_from(*kept);
-    if (fields && assessment::are_of(*fields, tray, world_from_bone, material.recording)) {
+    if (fields && assessment::are_of(*fields, tray, material.bones, material.recording)) {
       report(progress, 1.0);
       return *std::move(fields);
     }
   }
   OpenedFields fields =
-      assessment::opened_fields(tray, world_from_bone, material.recording, progress);
+      assessment::opened_fields(tray, material.bones, material.recording, progress);
   keep(material, data_directory, key, fields);
   report(progress, 1.0);
   return fields;
@@ -140,7 +139,7 @@ assessment::Examination examine_kept(const AttemptMaterial& material,
     assessment::Measured measured{
         std::move(measurements),
         fields_of(material, data_directory, part_of(reached, 0.0, fields_share))};
-    return assessment::examine_measured(material.scenario, material.bone, material.recording,
+    return assessment::examine_measured(material.scenario, material.bones, material.recording,
                                         material.header.begun.device_class, std::move(measured),
                                         part_of(reached, fields_share, 1.0));
   });

@@ -46,7 +46,7 @@ std::optional<database::ScoreCard> rescored(database::ImportedAttempt& attempt,
                                             const StageProgress& progress) {
   AttemptMaterial material;
   material.scenario = scenario_of(attempt.manifest);
-  material.bone = simulator::decode_bone(attempt.bone);
+  material.bones = simulator::decode_patient(attempt.bone);
   if (!attempt.manifest.header.seal) return std::nullopt;
   material.header = attempt.manifest.header;
   material.recording = attempt.tables.recording;
@@ -85,36 +85,56 @@ void import_one(database::AdministratorDesk& desk, const std::filesystem::path& 
   }
 }
 
-/// Nothing where the scenario does not fit the bone: an attempt that was interrupted elsewhere was
-/// never planned here, and leaves as it came all the same.
+/// Nothing where the scenario does not fit the patient: an attempt that was interrupted elsewhere
+/// was never planned here, and leaves as it came all the same.
 std::optional<scenarios::Plan> plan_if_it_fits(const scenarios::Scenario& scenario,
-                                               const simulator::Bone& bone) {
+                                               const simulator::Bones& bones) {
   try {
-    return plan_on(scenario, bone);
+    return plan_on(scenario, bones);
   } catch (const scenarios::ScenarioError&) {
     return std::nullopt;
   }
 }
 
-void add_solids(const assessment::RebuiltBone& rebuilt, std::string (*name_of)(std::size_t),
-                std::vector<database::DerivedFile>& files) {
+/// A mesh of one of the bones, in the frame of the first.
+std::string ply_in_first(simulator::IndexedMesh mesh, const simulator::Bones& bones,
+                         std::size_t bone) {
+  if (bone != 0) {
+    const RigidTransform first_from_bone = first_from(bones, bone);
+    for (Vec3& point_mm : mesh.points_mm) point_mm = transform_point(first_from_bone, point_mm);
+  }
+  return simulator::ply_bytes(mesh);
+}
+
+std::string bone_file_name(std::size_t bone) {
+  return bone == 0 ? "bone.ply" : "bone-" + std::to_string(bone + 1) + ".ply";
+}
+
+void add_bones(const simulator::Bones& bones, std::vector<database::DerivedFile>& files) {
+  for (std::size_t i = 0; i < bones.size(); ++i)
+    files.push_back({bone_file_name(i), ply_in_first(solid_of(bones[i]), bones, i)});
+}
+
+void add_solids(const assessment::RebuiltBone& rebuilt, const simulator::Bones& bones,
+                std::string (*name_of)(std::size_t), std::vector<database::DerivedFile>& files) {
   for (std::size_t i = 0; i < rebuilt.pieces.size() && i < pieces_max; ++i)
-    files.push_back({name_of(i), simulator::ply_bytes(rebuilt.pieces[i].mesh)});
+    files.push_back(
+        {name_of(i), ply_in_first(rebuilt.pieces[i].mesh, bones, rebuilt.piece_bones[i])});
 }
 
 /// The pieces as they are scored, and how all bodies lie.
 void add_left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
-                     const simulator::Bone& bone, const simulator::Recording& recording,
+                     const simulator::Bones& bones, const simulator::Recording& recording,
                      std::vector<database::DerivedFile>& files) {
   assessment::RebuiltBone scored = assessment::rebuild(
-      bone, scenarios::tray_of(scenario), recording, {}, nullptr, {}, assessment::hinges_of(plan));
+      bones, scenarios::tray_of(scenario), recording, {}, nullptr, {}, assessment::hinges_of(plan));
   const bool has_bodies_of_their_own = has_undivided_hinge(plan, recording);
-  if (has_bodies_of_their_own) add_solids(scored, piece_file_name, files);
+  if (has_bodies_of_their_own) add_solids(scored, bones, piece_file_name, files);
   const auto name_of = has_bodies_of_their_own ? body_file_name : piece_file_name;
-  const LeftBehind left = left_behind(scenario, plan, bone, recording, std::move(scored));
-  files.push_back({fragments_file_name, fragments_file(left, name_of)});
+  const LeftBehind left = left_behind(scenario, plan, bones, recording, std::move(scored));
+  files.push_back({fragments_file_name, fragments_file(left, bones, name_of)});
   files.push_back({implants_file_name, implants_file(left)});
-  add_solids(left.rebuilt, name_of, files);
+  add_solids(left.rebuilt, bones, name_of, files);
 }
 
 }  // namespace
@@ -122,16 +142,17 @@ void add_left_behind(const scenarios::Scenario& scenario, const scenarios::Plan&
 std::vector<database::DerivedFile> files_made_from(const database::ExportMaterial& material) {
   const scenarios::Scenario scenario =
       scenarios::parse_scenario(material.scenario.json, material.scenario.name);
-  const simulator::Bone bone = simulator::decode_bone(material.bone);
-  std::vector<database::DerivedFile> files{{"bone.ply", simulator::ply_bytes(solid_of(bone))}};
-  const auto plan = plan_if_it_fits(scenario, bone);
+  const std::vector<simulator::Bone> bones = simulator::decode_patient(material.bone);
+  std::vector<database::DerivedFile> files;
+  add_bones(bones, files);
+  const auto plan = plan_if_it_fits(scenario, bones);
   if (!plan) {
-    add_solids(assessment::rebuild(bone, scenarios::tray_of(scenario), material.recording),
+    add_solids(assessment::rebuild(bones, scenarios::tray_of(scenario), material.recording), bones,
                piece_file_name, files);
     return files;
   }
-  files.push_back({plan_file_name, plan_file(scenario, bone, *plan)});
-  add_left_behind(scenario, *plan, bone, material.recording, files);
+  files.push_back({plan_file_name, plan_file(scenario, bones, *plan)});
+  add_left_behind(scenario, *plan, bones, material.recording, files);
   return files;
 }
 

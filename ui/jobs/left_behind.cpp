@@ -40,14 +40,14 @@ bool has_undivided_hinge(const scenarios::Plan& plan,
 }
 
 LeftBehind left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
-                       const simulator::Bone& bone, const simulator::Recording& recording,
+                       const simulator::Bones& bones, const simulator::Recording& recording,
                        assessment::RebuiltBone scored, const Progress& progress) {
   if (has_undivided_hinge(plan, recording)) {
-    scored = assessment::rebuild(bone, scenarios::tray_of(scenario), recording,
+    scored = assessment::rebuild(bones, scenarios::tray_of(scenario), recording,
                                  part_of(progress, 0.0, rebuilt_share), nullptr, {},
                                  {scenarios::planned_bridges(plan), true});
   }
-  LeftBehind left{assessment::what_is_left(recording, scored, bone, plan), std::move(scored),
+  LeftBehind left{assessment::what_is_left(recording, scored, bones, plan), std::move(scored),
                   done_ticks_of(scenario, recording)};
   report(progress, 1.0);
   return left;

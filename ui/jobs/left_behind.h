@@ -23,12 +23,12 @@ bool has_undivided_hinge(const scenarios::Plan& plan,
                          const simulator::Recording& recording) noexcept;
 
 /// Computed from the recording: nothing of what a score keeps.
-/// plan    the scenario's on this bone
+/// plan    the scenario's on these bones
 /// scored  the bone as it was rebuilt for its score: serves where closed wedges are divided in it
 /// errors  Cancelled
 /// thread  any
 LeftBehind left_behind(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
-                       const simulator::Bone& bone, const simulator::Recording& recording,
+                       const simulator::Bones& bones, const simulator::Recording& recording,
                        assessment::RebuiltBone scored, const Progress& progress = {});
 
 }  // namespace hallux::ui

@@ -22,6 +22,15 @@ std::string text_of(const ordered_json& json) {
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
+/// From where it was cut to where it lies, all in the frame of the first bone.
+RigidTransform way_in_first(const Body& body, const simulator::Bones& bones) {
+  const RigidTransform& way = body.bone_from_piece;
+  const bool is_moved =
+      way.rotation != RigidTransform{}.rotation || way.translation_mm != Vec3{0.0};
+  if (body.bone == 0 || !is_moved) return way;
+  return body.first_from_piece * inverse(first_from(bones, body.bone));
+}
+
 }  // namespace
 
 std::string piece_file_name(std::size_t piece) {
@@ -95,12 +104,13 @@ ordered_json steps_json(const LeftBehind& left, const scenarios::Scenario& scena
   return all;
 }
 
-std::string fragments_file(const LeftBehind& left, std::string (*name_of)(std::size_t)) {
+std::string fragments_file(const LeftBehind& left, const simulator::Bones& bones,
+                           std::string (*name_of)(std::size_t)) {
   ordered_json all = ordered_json::array();
   for (const Body& body : left.bodies) {
     all.push_back({{"name", body.name},
                    {"files", {name_of(body.piece)}},
-                   {"pose", matrix_json(body.bone_from_piece)},
+                   {"pose", matrix_json(way_in_first(body, bones))},
                    {"taken_out", body.fragment < 0}});
   }
   return text_of(all);

@@ -31,7 +31,8 @@ nlohmann::ordered_json steps_json(const LeftBehind& left, const scenarios::Scena
 /// fragments.json and implants.json of an export.
 /// name_of  of each body's file, by its place among the pieces
 /// ensures  the same attempt gives the same bytes, UTF-8
-std::string fragments_file(const LeftBehind& left, std::string (*name_of)(std::size_t));
+std::string fragments_file(const LeftBehind& left, const simulator::Bones& bones,
+                           std::string (*name_of)(std::size_t));
 std::string implants_file(const LeftBehind& left);
 
 }  // namespace hallux::ui

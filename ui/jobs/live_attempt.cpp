@@ -6,15 +6,24 @@
 
 #include "database/store/log_size.h"
 #include "scenarios/simulation_setup.h"
+#include "scenarios/site/plan_in_first.h"
 
 namespace hallux::ui {
 
-PreparedCase prepare_case(scenarios::Scenario scenario, simulator::Bone bone) {
-  PreparedCase prepared_case{std::move(scenario), std::move(bone), {}, nullptr};
-  prepared_case.plan = plan_on(prepared_case.scenario, prepared_case.bone);
-  prepared_case.whole =
-      std::make_unique<const simulator::WholeBone>(simulator::solid_of(prepared_case.bone));
+PreparedCase prepare_case(scenarios::Scenario scenario, std::vector<simulator::Bone> bones) {
+  PreparedCase prepared_case{std::move(scenario), std::move(bones), {}, {}, {}};
+  prepared_case.plan = plan_on(prepared_case.scenario, prepared_case.bones);
+  prepared_case.plan_in_first = scenarios::plan_in_first(prepared_case.plan, prepared_case.bones);
+  for (const simulator::Bone& bone : prepared_case.bones)
+    prepared_case.wholes.push_back(
+        std::make_unique<const simulator::WholeBone>(simulator::solid_of(bone)));
   return prepared_case;
+}
+
+PreparedCase prepare_case(scenarios::Scenario scenario, simulator::Bone bone) {
+  std::vector<simulator::Bone> bones;
+  bones.push_back(std::move(bone));
+  return prepare_case(std::move(scenario), std::move(bones));
 }
 
 PreparedCase prepare_case(const scenarios::Scenario& scenario, const StageProgress& progress) {
@@ -22,7 +31,7 @@ PreparedCase prepare_case(const scenarios::Scenario& scenario, const StageProgre
 }
 
 database::WriterLease begin_live(database::Database& database, database::TraineeDesk& desk,
-                                 const LiveBegin& begin, const simulator::Bone& bone) {
+                                 const LiveBegin& begin, const simulator::Bones& bones) {
   CHECK(begin.kind == database::AttemptKind::Practice ||
         begin.force_law == simulator::ForceLaw::Simulated);
   database::NewAttempt begun;
@@ -33,7 +42,7 @@ database::WriterLease begin_live(database::Database& database, database::Trainee
   begun.device_class = begin.device_class;
   begun.pacing = "real_time";
   begun.stereo_mode = begin.stereo_mode;
-  put_bone(database, bone, begun);
+  put_patient(database, bones, begun);
   return desk.begin_attempt(begun);
 }
 
@@ -44,9 +53,9 @@ std::optional<double> force_scale_of(const simulator::HapticDevice& device,
   if (!description.limits) return std::nullopt;
   return force_scale_on(
       *description.limits,
-      description.motion_scale *
-          simulation_setup(prepared_case.scenario, prepared_case.bone, prepared_case.plan, guidance)
-              .contact.coupling_newton_per_mm);
+      description.motion_scale * simulation_setup(prepared_case.scenario, prepared_case.bones,
+                                                  prepared_case.plan, guidance)
+                                     .contact.coupling_newton_per_mm);
 }
 
 LiveAttempt::LiveAttempt(std::shared_ptr<const PreparedCase> prepared_case,
@@ -127,13 +136,13 @@ void LiveAttempt::fail(LiveFailure failure, const char* reason) noexcept {
 void LiveAttempt::operate(const database::Database& database, database::WriterLease lease) {
   database::Recorder recorder(database, std::move(lease), channels_,
                               database::FullDisk::IsWaitedFor);
-  simulator::AttemptSetup setup{simulation_setup(prepared_case_->scenario, prepared_case_->bone,
+  simulator::AttemptSetup setup{simulation_setup(prepared_case_->scenario, prepared_case_->bones,
                                                  prepared_case_->plan, begun_.guidance)};
   setup.pacing = simulator::Pacing::RealTime;
   setup.force_law = begun_.force_law;
   setup.last_tick = ticks_at_most;
   setup.watch = &watch();
-  setup.whole = prepared_case_->whole.get();
+  for (const auto& whole : prepared_case_->wholes) setup.wholes.push_back(whole.get());
   end_.loop = run_attempt(setup, *device_, channels_, [this](double) { return !is_left(); });
   end_.end = end_.loop.end;
   end_.recorder = recorder.drain();

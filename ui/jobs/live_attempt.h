@@ -30,14 +30,19 @@ namespace hallux::ui {
 /// What is operated on, and what for.
 struct PreparedCase {
   scenarios::Scenario scenario;
-  simulator::Bone bone;
-  scenarios::Plan plan;
-  /// The bone's, for all who cut it.
-  std::unique_ptr<const simulator::WholeBone> whole;
+  /// Of the patient, the operated one first.
+  std::vector<simulator::Bone> bones;
+  /// Each part in the frame of its bone; and all in that of the first.
+  scenarios::Plan plan, plan_in_first;
+  /// By bone, for all who cut them.
+  std::vector<std::unique_ptr<const simulator::WholeBone>> wholes;
+
+  const simulator::Bone& bone() const noexcept { return bones.front(); }
 };
 
-/// Reads nothing and stores nothing: the plan is laid on the bone.
+/// Reads nothing and stores nothing: the plan is laid on the bones.
 /// errors  ScenarioError
+PreparedCase prepare_case(scenarios::Scenario scenario, std::vector<simulator::Bone> bones);
 PreparedCase prepare_case(scenarios::Scenario scenario, simulator::Bone bone);
 /// The scenario's patient is made before.
 /// errors  ScenarioError, MeshError; Cancelled
@@ -58,11 +63,11 @@ struct LiveBegin {
   std::string second_device = {};
 };
 
-/// Stores the bone and begins the attempt.
+/// Stores the patient and begins the attempt.
 /// needs   an assessment feels the simulated force
 /// errors  DatabaseError: Refused; BadInput where the scenario is not published; Full, ReadOnly ...
 database::WriterLease begin_live(database::Database& database, database::TraineeDesk& desk,
-                                 const LiveBegin& begin, const simulator::Bone& bone);
+                                 const LiveBegin& begin, const simulator::Bones& bones);
 
 /// Device newtons per simulated newton where that device operates on it; nothing where the device
 /// pushes nobody back.

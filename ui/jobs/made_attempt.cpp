@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::size_t ring_capacity = 32768;
 
-simulator::Recording carried_out(const ScriptedAttempt& attempt, const simulator::Bone& bone,
+simulator::Recording carried_out(const ScriptedAttempt& attempt, const simulator::Bones& bones,
                                  const Progress& progress) {
-  const scenarios::Plan plan = plan_on(attempt.scenario, bone);
-  const SetUpHand set_up = set_up_hand(attempt, bone, plan);
+  const scenarios::Plan plan = plan_on(attempt.scenario, bones);
+  const SetUpHand set_up = set_up_hand(attempt, bones, plan);
   simulator::AttemptChannels channels(ring_capacity);
   simulator::Recording recording;
   const simulator::LoopStatistics loop =
@@ -37,8 +37,8 @@ MadeAttempt make_attempt(const ScriptedAttempt& attempt, const StageProgress& pr
   CHECK(attempt.pacing == simulator::Pacing::Virtual);
   MadeAttempt made;
   made.material.scenario = attempt.scenario;
-  made.material.bone = patient_of(attempt.scenario, progress);
-  made.material.recording = carried_out(attempt, made.material.bone, progress("Operating"));
+  made.material.bones = patient_of(attempt.scenario, progress);
+  made.material.recording = carried_out(attempt, made.material.bones, progress("Operating"));
   database::AttemptHeader& header = made.material.header;
   header.scenario_name = attempt.scenario.name;
   header.scenario_version = attempt.scenario.version;

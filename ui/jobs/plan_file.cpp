@@ -141,41 +141,69 @@ ordered_json blades_json(const Scenario& scenario) {
   return blades;
 }
 
-/// Of each the JSON that `json_of` says.
-template <typename Part, typename Of>
-ordered_json list_json(const std::vector<Part>& parts, Of&& json_of) {
-  ordered_json list = ordered_json::array();
-  for (const Part& part : parts) list.push_back(json_of(part));
-  return list;
-}
+/// The lists of a plan. Where a patient has several bones each part says the one in whose frame it
+/// is.
+class PlanLists {
+ public:
+  explicit PlanLists(const simulator::Bones& bones) : bones_(bones) {}
 
-/// The same of parts of a plan, each with that of the scenario that it was planned from.
-template <typename Part, typename Reference, typename Of>
-ordered_json list_json(const std::vector<Part>& parts, const std::vector<Reference>& references,
-                       Of&& json_of) {
-  ordered_json list = ordered_json::array();
-  for (std::size_t i = 0; i < parts.size(); ++i) list.push_back(json_of(parts[i], references[i]));
-  return list;
+  /// Of each the JSON that `json_of` says.
+  template <typename Part, typename Of>
+  ordered_json of(const std::vector<Part>& parts, Of&& json_of) const {
+    ordered_json list = ordered_json::array();
+    for (const Part& part : parts) add(list, json_of(part), part.bone);
+    return list;
+  }
+  /// The same of parts, each with that of the scenario that it was planned from.
+  template <typename Part, typename Reference, typename Of>
+  ordered_json of(const std::vector<Part>& parts, const std::vector<Reference>& references,
+                  Of&& json_of) const {
+    ordered_json list = ordered_json::array();
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      add(list, json_of(parts[i], references[i]), parts[i].bone);
+    return list;
+  }
+
+ private:
+  void add(ordered_json& list, ordered_json part, std::size_t bone) const {
+    if (bones_.size() > 1) part["bone"] = bones_[bone].name;
+    list.push_back(std::move(part));
+  }
+
+  const simulator::Bones& bones_;
+};
+
+ordered_json further_bones_json(const simulator::Bones& bones) {
+  ordered_json further = ordered_json::array();
+  for (std::size_t bone = 1; bone < bones.size(); ++bone) {
+    further.push_back({{"name", bones[bone].name},
+                       {"landmarks", landmarks_json(bones[bone])},
+                       {"world_from_bone", matrix_json(bones[bone].world_from_bone)}});
+  }
+  return further;
 }
 
 }  // namespace
 
-std::string plan_file(const Scenario& scenario, const simulator::Bone& bone, const Plan& plan) {
-  const ordered_json json{
+std::string plan_file(const Scenario& scenario, const simulator::Bones& bones, const Plan& plan) {
+  const PlanLists list(bones);
+  const simulator::Bone& bone = bones.first();
+  ordered_json json{
       {"format", plan_file_format},
       {"scenario", scenario.name},
       {"scenario_version", scenario.version},
       {"bone", bone.name},
       {"landmarks", landmarks_json(bone)},
-      {"cuts", list_json(plan.cuts, scenario.cuts, cut_json)},
-      {"hinges", list_json(plan.hinges, scenario.hinges, hinge_json)},
-      {"danger_zones", list_json(plan.danger_zones, scenario.danger_zones, zone_json)},
-      {"joint_surfaces", list_json(plan.joint_surfaces, scenario.joint_surfaces, joint_json)},
-      {"fragments", list_json(plan.fixation.fragments, fragment_json)},
-      {"implants", list_json(plan.fixation.implants, implant_json)},
+      {"cuts", list.of(plan.cuts, scenario.cuts, cut_json)},
+      {"hinges", list.of(plan.hinges, scenario.hinges, hinge_json)},
+      {"danger_zones", list.of(plan.danger_zones, scenario.danger_zones, zone_json)},
+      {"joint_surfaces", list.of(plan.joint_surfaces, scenario.joint_surfaces, joint_json)},
+      {"fragments", list.of(plan.fixation.fragments, fragment_json)},
+      {"implants", list.of(plan.fixation.implants, implant_json)},
       {"world_from_bone", matrix_json(bone.world_from_bone)},
       {"blade", blade_json(scenario.saw.blade)},
       {"blades", blades_json(scenario)}};
+  if (bones.size() > 1) json["further_bones"] = further_bones_json(bones);
   // The names of a bone from elsewhere may be no UTF-8.
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

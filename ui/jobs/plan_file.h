@@ -16,7 +16,7 @@ inline constexpr int plan_file_format = 1;
 /// units   mm and degrees, bone frame; its schema is docs/schemas/plan.schema.json
 /// ensures the same plan gives the same bytes, UTF-8
 /// needs   plan is the scenario's on this bone
-std::string plan_file(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+std::string plan_file(const scenarios::Scenario& scenario, const simulator::Bones& bones,
                       const scenarios::Plan& plan);
 
 }  // namespace hallux::ui

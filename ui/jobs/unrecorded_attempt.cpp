@@ -50,12 +50,12 @@ void UnrecordedAttempt::run() noexcept {
 }
 
 void UnrecordedAttempt::operate() {
-  simulator::AttemptSetup setup{simulation_setup(prepared_case_->scenario, prepared_case_->bone,
+  simulator::AttemptSetup setup{simulation_setup(prepared_case_->scenario, prepared_case_->bones,
                                                  prepared_case_->plan, simulator::Guidance::None)};
   setup.pacing = simulator::Pacing::RealTime;
   setup.last_tick = LiveAttempt::ticks_at_most;
   setup.watch = &watch();
-  setup.whole = prepared_case_->whole.get();
+  for (const auto& whole : prepared_case_->wholes) setup.wholes.push_back(whole.get());
   end_.loop = run_attempt(setup, *device_, channels_, [this](double) {
     drop_record();
     return !is_stopping_.load(std::memory_order_relaxed);

@@ -143,26 +143,28 @@ std::string title_of(const scenarios::Scenario& scenario, const std::string& cut
 }
 
 /// Every face; and a slice across the bone where a face runs along it.
-void add_pictures(ReportMaterial& material, const scenarios::Scenario& scenario, const Bone& bone,
-                  const Examination& examination) {
-  const simulator::CutSolid solid = simulator::uncut_solid(solid_of(bone));
-  const simulator::Bvh bvh(solid.mesh);
+void add_pictures(ReportMaterial& material, const scenarios::Scenario& scenario,
+                  const simulator::Bones& bones, const Examination& examination) {
+  std::vector<std::unique_ptr<const simulator::WholeBone>> wholes;
+  for (const Bone& bone : bones)
+    wholes.push_back(std::make_unique<const simulator::WholeBone>(solid_of(bone)));
   const CutFace none;
   for (std::size_t index = 0; index < examination.plan.cuts.size(); ++index) {
     const PlannedCut& cut = examination.plan.cuts[index];
     const std::vector<CutFace>& faces = examination.faces[index];
     const CutFace* face = faces.empty() ? nullptr : &faces.front();
+    const simulator::WholeBone& whole = *wholes[cut.bone];
     material.faces.push_back(face_picture(cut, face == nullptr ? none : *face,
-                                          outlines_in(solid, bvh, face_frame(cut))));
+                                          outlines_in(whole.solid, whole.tree, face_frame(cut))));
     material.faces.back().title = title_of(scenario, cut.name);
     if (material.frontal || !cut.is_along_bone) continue;
-    material.frontal = frontal_picture(solid, bvh, cut, face);
+    material.frontal = frontal_picture(whole.solid, whole.tree, cut, face);
   }
 }
 
 }  // namespace
 
-ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& bone,
+ReportMaterial report_material(const scenarios::Scenario& scenario, simulator::Bones bones,
                                const Recording& recording, const Examination& examination,
                                simulator::Guidance guidance) {
   ReportMaterial material;
@@ -173,11 +175,13 @@ ReportMaterial report_material(const scenarios::Scenario& scenario, const Bone& 
       {"Scenario", card.scenario + " version " + std::to_string(card.scenario_version)},
       {"Rubric", "version " + std::to_string(card.rubric_version)},
       {"Engine", "version " + std::to_string(card.engine)}};
-  if (!bone.credit.empty()) material.versions.push_back({"Shape", bone.credit});
-  add_pictures(material, scenario, bone, examination);
+  for (const Bone& bone : bones) {
+    if (!bone.credit.empty()) material.versions.push_back({"Shape", bone.credit});
+  }
+  add_pictures(material, scenario, bones, examination);
   material.zones = watched_zones(scenario, recording);
-  material.traces =
-      traces_of(recording, bone, guidance != simulator::Guidance::None, examination.rebuilt.fields);
+  material.traces = traces_of(recording, bones, guidance != simulator::Guidance::None,
+                              examination.rebuilt.fields);
   return material;
 }
 

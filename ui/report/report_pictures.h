@@ -9,8 +9,8 @@ namespace hallux::ui {
 
 /// Card, titles, pictures of the first planned cut, traces and the versions that the card knows.
 /// The caller adds facts, quality and what else it knows of versions.
-/// needs   the examination is of this scenario, bone and recording, `guidance` the attempt's
-ReportMaterial report_material(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+/// needs   the examination is of this scenario, bones and recording, `guidance` the attempt's
+ReportMaterial report_material(const scenarios::Scenario& scenario, simulator::Bones bones,
                                const simulator::Recording& recording,
                                const assessment::Examination& examination,
                                simulator::Guidance guidance);

@@ -5,6 +5,7 @@
 
 #include "simulator/base/progress.h"
 #include "simulator/base/units.h"
+#include "simulator/jobs/lying_bones.h"
 #include "simulator/record/sample_force.h"
 
 namespace hallux::ui {
@@ -63,14 +64,14 @@ std::vector<ZoneContact> watched_zones(const scenarios::Scenario& scenario,
   return zone_contacts(scenario, recording);
 }
 
-Traces traces_of(const Recording& recording, const Bone& bone, bool is_guided,
+Traces traces_of(const Recording& recording, simulator::Bones bones, bool is_guided,
                  const simulator::KerfSet& kerfs, std::size_t points_max,
                  const Progress& progress) {
   Traces traces;
   const std::size_t count = recording.samples.size();
   const std::size_t stretch = std::max<std::size_t>(1, (count + points_max - 1) / points_max);
   std::optional<double> before_mm;  // the advance at the sample before, where that cut too
-  FragmentPoses fragments(bone.world_from_bone);
+  FragmentPoses fragments = poses_of(bones);
   auto event = recording.events.begin();
   for (std::size_t index = 0; index < count; ++index) {
     const ToolSample& sample = recording.samples[index];
@@ -94,7 +95,7 @@ Traces traces_of(const Recording& recording, const Bone& bone, bool is_guided,
     if (last_mm) point.fed_mm += std::max(0.0, *before_mm - *last_mm);
   }
   const assessment::EffectTrack effects =
-      assessment::track_effects(bone, kerfs.tray(), is_guided, recording, stretch, progress);
+      assessment::track_effects(bones, kerfs.tray(), is_guided, recording, stretch, progress);
   for (std::size_t point = 0; point < traces.points.size(); ++point) {
     traces.points[point].hottest_celsius = effects.hottest_celsius[point];
   }

@@ -11,7 +11,7 @@
 #include "simulator/base/progress.h"
 #include "simulator/contact/heat.h"
 #include "simulator/cutting/field/kerf_set.h"
-#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bones.h"
 #include "simulator/record/guidance.h"
 #include "simulator/record/record.h"
 
@@ -56,7 +56,7 @@ struct ZoneContact {
 /// is_guided  a guide led the hand
 /// needs   `kerfs` as the recording opened them
 /// errors  Cancelled
-Traces traces_of(const simulator::Recording& recording, const simulator::Bone& bone, bool is_guided,
+Traces traces_of(const simulator::Recording& recording, simulator::Bones bones, bool is_guided,
                  const simulator::KerfSet& kerfs, std::size_t points_max = 480,
                  const Progress& progress = {});
 

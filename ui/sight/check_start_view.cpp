@@ -50,15 +50,15 @@ void refuse_where_hidden(const ViewJudgement& judgement, std::string_view file, 
 
 }  // namespace
 
-StartViewCheck check_start_view(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+StartViewCheck check_start_view(const scenarios::Scenario& scenario, simulator::Bones bones,
                                 const scenarios::Plan& plan, std::string_view file) {
   StartViewCheck check;
   check.is_default = !scenario.start;
   try {
     const HeadlessContext context;
-    ViewJudge judge(scenario, bone, plan);
+    ViewJudge judge(scenario, bones, plan);
     check.judgement =
-        judge.judge(start_camera(scenario, bone, plan), start_pose(scenario, bone, plan));
+        judge.judge(start_camera(scenario, bones, plan), start_pose(scenario, bones, plan));
   } catch (const GraphicsError& error) {
     check.why_not_drawn = error.what();
     return check;

@@ -21,11 +21,11 @@ struct StartViewCheck {
 
 /// Draws some twenty small pictures of ids in a context of its own.
 /// file    the scenario's, for the message
-/// bone    the scenario's patient, as coarse as one likes, with the plan on it
+/// bones   the scenario's patient, as coarse as one likes, with the plan on it
 /// errors  ScenarioError where less than ViewLimits::least_share of tooth line or kerf is seen over
 ///         the plan's strokes: how much, what hides it, and the mend
 /// thread  one without a current context
-StartViewCheck check_start_view(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+StartViewCheck check_start_view(const scenarios::Scenario& scenario, simulator::Bones bones,
                                 const scenarios::Plan& plan, std::string_view file);
 
 }  // namespace hallux::ui

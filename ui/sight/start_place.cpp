@@ -55,9 +55,10 @@ Vec3 site_in_bone_mm(const scenarios::PlannedCut& cut) {
 
 }  // namespace
 
-RigidTransform start_pose(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+RigidTransform start_pose(const scenarios::Scenario& scenario, simulator::Bones bones,
                           const scenarios::Plan& plan) {
   const scenarios::PlannedCut& cut = first_cut(scenario, plan);
+  const simulator::Bone& bone = bones[cut.bone];
   if (const auto& start = scenario.start) {
     const Vec3 across = glm::cross(start->normal_in_bone, start->feed_in_bone);
     return bone.world_from_bone *
@@ -73,11 +74,12 @@ RigidTransform start_pose(const scenarios::Scenario& scenario, const simulator::
   return bone.world_from_bone * bone_from_tool;
 }
 
-Camera start_camera(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+Camera start_camera(const scenarios::Scenario& scenario, simulator::Bones bones,
                     const scenarios::Plan& plan) {
+  const scenarios::PlannedCut& cut = first_cut(scenario, plan);
+  const simulator::Bone& bone = bones[cut.bone];
   Camera camera;
-  camera.target_mm =
-      transform_point(bone.world_from_bone, site_in_bone_mm(first_cut(scenario, plan)));
+  camera.target_mm = transform_point(bone.world_from_bone, site_in_bone_mm(cut));
   if (const auto& start = scenario.start) {
     camera = fitted(camera, Viewer{}, start->radius_mm, usual_aspect);
     camera.world_from_view = facing(transform_direction(bone.world_from_bone, start->eye_in_bone),

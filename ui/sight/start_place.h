@@ -10,10 +10,10 @@ namespace hallux::ui {
 
 /// World from tool: off the bone on the side of the approach. What the plan asks beyond that is the
 /// trainee's to find.
-RigidTransform start_pose(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+RigidTransform start_pose(const scenarios::Scenario& scenario, simulator::Bones bones,
                           const scenarios::Plan& plan);
 /// The site of the first cut as one stands before it.
-Camera start_camera(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+Camera start_camera(const scenarios::Scenario& scenario, simulator::Bones bones,
                     const scenarios::Plan& plan);
 
 }  // namespace hallux::ui

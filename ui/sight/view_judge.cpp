@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 
 #include "scenarios/hands/planned_strokes.h"
 #include "scenarios/neighbour.h"
@@ -147,31 +148,49 @@ bool is_good(const ViewJudgement& judgement, const ViewLimits& limits) noexcept 
 
 struct ViewJudge::Parts {
   simulator::Blade blade;
-  RigidTransform world_from_bone, world_from_neighbour;
+  RigidTransform world_from_bone;
   BoneLook look = plain_look();
-  BoneMesh bone, neighbour;
-  simulator::Bvh tree;
+  BoneMesh bone;
+  /// What lies around it: further bones of the patient, and the one beside.
+  struct Around {
+    BoneMesh mesh;
+    RigidTransform world_from_bone;
+  };
+  std::deque<Around> around;
+  std::unique_ptr<const simulator::Bvh> tree;
   std::vector<WorkMoment> moments;
   SightMeter meter;
 
-  Parts(const scenarios::Scenario& scenario, const simulator::Bone& patient,
+  Parts(const scenarios::Scenario& scenario, const simulator::Bones& patient,
         const scenarios::Plan& plan, PixelSize size);
+  void lay_around(const simulator::Bone& bone);
   EyeView view_from(const Camera& camera) const;
   SightSamples samples_of(const WorkMoment& moment) const;
 };
 
-ViewJudge::Parts::Parts(const scenarios::Scenario& scenario, const simulator::Bone& patient,
+/// What is seen of the cuts is measured on the bone of the first.
+ViewJudge::Parts::Parts(const scenarios::Scenario& scenario, const simulator::Bones& patient,
                         const scenarios::Plan& plan, PixelSize size)
-    : blade(scenario.saw.blade),
-      world_from_bone(patient.world_from_bone),
-      bone(mesh_of(1, simulator::uncut_solid(solid_of(patient)), look)),
-      tree(bone.solid.mesh),
-      meter(size) {
-  const simulator::Bone beside = scenarios::neighbour_of(scenario);
-  world_from_neighbour = beside.world_from_bone;
-  neighbour = mesh_of(2, simulator::uncut_solid(solid_of(beside)), look);
-  const std::vector<scenarios::PlannedStroke> strokes = planned_strokes(scenario, patient, plan);
+    : blade(scenario.saw.blade), meter(size) {
+  std::vector<scenarios::PlannedStroke> strokes = planned_strokes(scenario, patient, plan);
+  const std::size_t sawn = strokes.empty() ? 0 : plan.cuts[strokes.front().cut].bone;
+  std::erase_if(strokes, [&](const scenarios::PlannedStroke& stroke) {
+    return plan.cuts[stroke.cut].bone != sawn;
+  });
+  world_from_bone = patient[sawn].world_from_bone;
+  bone = mesh_of(1, simulator::uncut_solid(solid_of(patient[sawn])), look);
+  tree = std::make_unique<const simulator::Bvh>(bone.solid.mesh);
+  for (std::size_t i = 0; i < patient.size(); ++i) {
+    if (i != sawn) lay_around(patient[i]);
+  }
+  if (const auto beside = scenarios::neighbour_of(scenario)) lay_around(*beside);
   moments = moments_of(strokes, blade, world_from_bone);
+}
+
+void ViewJudge::Parts::lay_around(const simulator::Bone& lying) {
+  const auto id = static_cast<std::uint64_t>(2 + around.size());
+  around.push_back(
+      {mesh_of(id, simulator::uncut_solid(solid_of(lying)), look), lying.world_from_bone});
 }
 
 EyeView ViewJudge::Parts::view_from(const Camera& camera) const {
@@ -181,13 +200,13 @@ EyeView ViewJudge::Parts::view_from(const Camera& camera) const {
 }
 
 SightSamples ViewJudge::Parts::samples_of(const WorkMoment& moment) const {
-  const WholeBone whole{bone.solid, tree, world_from_bone};
+  const WholeBone whole{bone.solid, *tree, world_from_bone};
   return {tooth_places(whole, moment.world_from_tool, blade), mouth_places(whole, moment.kerf)};
 }
 
-ViewJudge::ViewJudge(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+ViewJudge::ViewJudge(const scenarios::Scenario& scenario, simulator::Bones bones,
                      const scenarios::Plan& plan, PixelSize size)
-    : parts_(std::make_unique<Parts>(scenario, bone, plan, size)) {}
+    : parts_(std::make_unique<Parts>(scenario, bones, plan, size)) {}
 ViewJudge::~ViewJudge() = default;
 
 ViewJudgement ViewJudge::judge_start(const Camera& camera,
@@ -216,8 +235,9 @@ SeenOver ViewJudge::seen_over(const Camera& camera, const std::vector<WorkMoment
   const EyeView view = parts_->view_from(camera);
   Visibility sum{0.0, 0.0};
   Scene scene;
-  scene.bones = {bone_in_scene(parts_->bone, parts_->look, parts_->world_from_bone),
-                 bone_in_scene(parts_->neighbour, parts_->look, parts_->world_from_neighbour)};
+  scene.bones = {bone_in_scene(parts_->bone, parts_->look, parts_->world_from_bone)};
+  for (const Parts::Around& around : parts_->around)
+    scene.bones.push_back(bone_in_scene(around.mesh, parts_->look, around.world_from_bone));
   for (const WorkMoment& moment : over) {
     SawInScene saw;
     saw.world_from_tool = moment.world_from_tool;

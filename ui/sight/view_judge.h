@@ -55,7 +55,7 @@ class ViewJudge {
   /// nothing.
   /// errors  ScenarioError where a planned face misses the bone; GraphicsError
   /// needs   a current context, which lives longer
-  ViewJudge(const scenarios::Scenario& scenario, const simulator::Bone& bone,
+  ViewJudge(const scenarios::Scenario& scenario, simulator::Bones bones,
             const scenarios::Plan& plan, PixelSize size = {960, 600});
   ~ViewJudge();
   ViewJudge(const ViewJudge&) = delete;

@@ -36,12 +36,14 @@ struct DividedBone {
 ///         triangles that do not cross the plane keep their bits
 DividedBone divide_at_hinge(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane);
 
-/// A bridge that is to be left and closed, said in the bone frame.
+/// A bridge that is to be left and closed, said in the frame of its bone.
 struct PlannedBridge {
   HingeLine line;
   /// From the half that stays to the one that turns.
   Vec3 toward_moved{1.0, 0.0, 0.0};
   double breaks_below_mm = 0.3, bends_up_to_mm = 2.5;
+  /// Of the patient's bones.
+  std::int32_t bone = 0;
 };
 /// Of an operation, in its order.
 using PlannedBridges = std::vector<PlannedBridge>;

@@ -77,7 +77,7 @@ class SawnV {
          .volume_mm3 = 13.0 * 64.0,
          .bone_from_rest = {{1.0, 0.0, 0.0, 0.0}, {0.0, planned_mm, 0.0}}});
     const RebuiltBone rebuilt = rebuild(bone_, {}, run_.recording());
-    const auto bodies = bodies_of(rebuilt, plan, "bar");
+    const auto bodies = bodies_of(rebuilt, plan, bone_);
     const auto placements = placements_of(bodies, rebuilt, plan);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       if (bodies[i].name == "end") return placements[i];

@@ -14,7 +14,7 @@ using tests::pointing;
 
 TEST_F(SawnBar, HasABodyForEachPartWhetherItMovedOrNot) {
   const RebuiltBone bone = rebuilt();
-  const auto bodies = bodies_of(bone, {}, "bar");
+  const auto bodies = bodies_of(bone, {}, bone_);
   ASSERT_EQ(bodies.size(), 2U);
   EXPECT_EQ(bodies[0].name, "bar");
   EXPECT_EQ(bodies[1].name, "body-2");
@@ -31,7 +31,7 @@ TEST_F(SawnBar, APartIsThePlannedFragmentWhoseSizeAndPointItHas) {
   const scenarios::Plan plan = plan_of_the_end();
   lead({0.0, 0.0, 3.0});
   const RebuiltBone bone = rebuilt();
-  const auto bodies = bodies_of(bone, plan, "bar");
+  const auto bodies = bodies_of(bone, plan, bone_);
   EXPECT_EQ(bodies[0].name, "bar");
   EXPECT_EQ(bodies[1].name, "end");
   const auto placements = placements_of(bodies, bone, plan);
@@ -47,7 +47,7 @@ TEST_F(SawnBar, AWholeBoneIsNoFragmentAlthoughItHoldsItsPoint) {
                                      .holds_in_bone_mm = {-14.0, 0.0, 0.0},
                                      .volume_mm3 = 64.0,
                                      .bone_from_rest = {}});
-  const auto bodies = bodies_of(rebuilt(), plan, "bar");
+  const auto bodies = bodies_of(rebuilt(), plan, bone_);
   EXPECT_EQ(bodies[0].name, "bar");
   EXPECT_EQ(bodies[1].name, "body-2");
 }
@@ -55,7 +55,7 @@ TEST_F(SawnBar, AWholeBoneIsNoFragmentAlthoughItHoldsItsPoint) {
 TEST_F(SawnBar, TellsHowFarAHalfWasLedAndWhatTouches) {
   lead({0.0, 0.0, 4.0}, true);
   const RebuiltBone bone = rebuilt();
-  const auto bodies = bodies_of(bone, {}, "bar");
+  const auto bodies = bodies_of(bone, {}, bone_);
   const auto placements = placements_of(bodies, bone, {});
   EXPECT_EQ(placements[0].moved_mm, 0.0);
   EXPECT_NEAR(placements[1].moved_mm, length_of(Vec2{4.0, 0.5}), 0.03);
@@ -72,7 +72,7 @@ TEST_F(SawnBar, AWireThroughBothEngagesBothAndCrossesTheSkinOnce) {
   bore(bar_wire, 1.0, 1.0, -8.0);
   leave();
   const RebuiltBone bone = rebuilt();
-  const auto bodies = bodies_of(bone, {}, "bar");
+  const auto bodies = bodies_of(bone, {}, bone_);
   const Fixation left = fixation(bone, bodies);
   ASSERT_EQ(left.implants.size(), 1U);
   const PlacedImplant& placed = left.implants[0];
@@ -101,7 +101,7 @@ TEST_F(SawnBar, AWireThatIsWithdrawnAndSetAgainCountsTwice) {
   bore(bar_wire, -1.0, -1.0, -8.0);
   leave();
   const RebuiltBone bone = rebuilt();
-  const Fixation left = fixation(bone, bodies_of(bone, {}, "bar"));
+  const Fixation left = fixation(bone, bodies_of(bone, {}, bone_));
   ASSERT_EQ(left.implants.size(), 1U);
   EXPECT_EQ(left.implants[0].insertions, 2);
 }
@@ -113,7 +113,7 @@ TEST_F(SawnBar, AScrewAcrossBothHoldsThem) {
   bore(bar_screw, 0.0, 0.0, -8.5);
   leave();
   const RebuiltBone bone = rebuilt();
-  const auto bodies = bodies_of(bone, {}, "bar");
+  const auto bodies = bodies_of(bone, {}, bone_);
   const Fixation left = fixation(bone, bodies);
   ASSERT_EQ(left.implants.size(), 1U);
   EXPECT_TRUE(left.implants[0].is_screw);

@@ -88,7 +88,7 @@ TEST_F(MovedHalf, LeavesABoneThatIsSawnOn) {
 
 TEST_F(MovedHalf, IsTheSameFromKeptFields) {
   saw(10.0, 4.0);
-  const OpenedFields opened = opened_fields({}, bone_.world_from_bone, run_.recording());
+  const OpenedFields opened = opened_fields({}, bone_, run_.recording());
   const RebuiltBone kept = rebuild(bone_, {}, run_.recording(), {}, &opened);
   const RebuiltBone fresh = rebuilt();
   EXPECT_EQ(kept.piece_volumes_mm3, fresh.piece_volumes_mm3);

@@ -41,7 +41,9 @@ class SawnBar : public testing::Test {
   static constexpr double cut_x_mm = 5.0, bar_mm3 = 30.0 * 8.0 * 8.0;
 
   static simulator::Bone bar() {
-    return tests::cancellous_bone(tests::solid_block({30.0, 8.0, 8.0}));
+    simulator::Bone bone = tests::cancellous_bone(tests::solid_block({30.0, 8.0, 8.0}));
+    bone.name = "bar";
+    return bone;
   }
 
   explicit SawnBar(simulator::Bone bone = bar()) : bone_(std::move(bone)) {

@@ -34,7 +34,7 @@ struct Attempt {
   Attempt(const std::string& name, double edge_mm, const std::vector<std::string>& faults)
       : scenario(scenarios::load_shipped_scenario(name)) {
     if (edge_mm > 0.0) scenario.patient.edge_mm = edge_mm;
-    bone = make_patient(scenario);
+    bone = make_patient_bones(scenario).front();
     plan = plan_on(scenario, bone);
     const scenarios::HandSkill skill =
         with_faults(scenarios::hand_skill("expert"), parse_hand_faults(faults, scenario));

@@ -60,7 +60,7 @@ class PlayedHand final : public simulator::SteeredDevice {
 std::shared_ptr<const simulator::Recording> motion_of_expert(const std::string& operation) {
   const scenarios::Scenario scenario = scenarios::load_shipped_scenario(operation);
   return std::make_shared<const simulator::Recording>(
-      tests::run_hand(scenario, make_patient(scenario), "expert", seed).recording);
+      tests::run_hand(scenario, make_patient_bones(scenario).front(), "expert", seed).recording);
 }
 
 double processor_ms() { return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }

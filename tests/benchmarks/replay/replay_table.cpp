@@ -21,12 +21,12 @@ using assessment::OpenedFields;
 
 struct Attempt {
   explicit Attempt(const std::string& name) : scenario(scenarios::load_shipped_scenario(name)) {
-    bone = make_patient(scenario);
+    bone = make_patient_bones(scenario).front();
     plan = plan_on(scenario, bone);
     recording = tests::run_hand(scenario, bone, "expert", 1).recording;
   }
   OpenedFields followed() const {
-    return assessment::opened_fields(scenario.saw.blade, bone.world_from_bone, recording);
+    return assessment::opened_fields(scenario.saw.blade, bone, recording);
   }
   std::shared_ptr<const simulator::BoneHistory> history(OpenedFields opened) const {
     return simulator::build_history(
@@ -86,7 +86,7 @@ Table table_of(const std::string& name) {
   add_row(table, "the bone's look",
           time_ms({}, nothing, [&](int) { return ui::look_of(1, attempt.bone); }));
   add_row(table, "replay opened, fields and look at hand", time_ms({}, nothing, [&](int) {
-            return ui::picture_of(attempt.history(fields), look, "opened");
+            return ui::picture_of(attempt.history(fields), {look}, "opened");
           }));
   add_row(table, "a moment anywhere", scrubbing_ms(attempt));
   return table;

@@ -21,7 +21,7 @@ class ShippedAkin : public testing::Test {
   static void SetUpTestSuite() {
     Scenario akin = scenarios_test::format_1("akin");
     akin.patient.edge_mm = 1.0;
-    bone = make_patient(akin);
+    bone = make_patient_bones(akin).front();
     plan_of_format_1 = plan_on(akin, bone);
     plan_of_format_2 = plan_on(scenarios_test::fixture("akin"), bone);
   }

@@ -22,7 +22,7 @@ constexpr double rounding = 1.0e-12;
 class Chevron : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    bone = make_patient(scenarios_test::fixture("chevron"));
+    bone = make_patient_bones(scenarios_test::fixture("chevron")).front();
     plan = plan_on(scenarios_test::fixture("chevron"), bone);
   }
   static void TearDownTestSuite() {

@@ -37,7 +37,7 @@ class OnBlock {
   explicit OnBlock(const json& whole, Bone bone = block())
       : scenario_(parse_scenario(whole.dump(), "f.json")),
         bone_(std::move(bone)),
-        ground_(scenario_, std::span(&bone_, 1)) {}
+        ground_(scenario_, bone_) {}
 
   Vec3 point(const std::string& name) const { return ground_.point(name, 0, "test"); }
   Vec3 direction(const std::string& name) const { return ground_.direction(name, 0, "test"); }

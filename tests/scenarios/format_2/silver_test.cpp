@@ -11,7 +11,7 @@ namespace {
 TEST(ShippedSilver, HasThePlaneOfFormat1) {
   Scenario silver = scenarios_test::format_1("silver");
   silver.patient.edge_mm = 1.0;
-  const simulator::Bone bone = make_patient(silver);
+  const simulator::Bone bone = make_patient_bones(silver).front();
   const PlannedCut old = plan_on(silver, bone).cuts[0];
   const PlannedCut cut = plan_on(scenarios_test::fixture("silver"), bone).cuts[0];
   constexpr double rounding = 1.0e-11;

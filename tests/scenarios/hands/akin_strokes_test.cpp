@@ -47,7 +47,7 @@ struct Patient {
   Patient() : akin(scenarios_test::format_1("akin")) {
     // Planes and strokes do not depend on the edges' length.
     akin.patient.edge_mm = 0.8;
-    bone = make_patient(akin);
+    bone = make_patient_bones(akin).front();
     plan = plan_on(akin, bone);
   }
 

@@ -96,7 +96,7 @@ void expect_within_30_percent(double value, double expected, const char* what) {
 AttemptTable run_attempts(std::string_view name, std::size_t seeds) {
   const auto began = std::chrono::steady_clock::now();
   const scenarios::Scenario scenario = scenarios::load_shipped_scenario(name);
-  const simulator::Bone bone = make_patient(scenario);
+  const simulator::Bone bone = make_patient_bones(scenario).front();
   AttemptTable table;
   for (AttemptRows& rows : table.rows) rows.resize(seeds);
   std::atomic<std::size_t> next{0};

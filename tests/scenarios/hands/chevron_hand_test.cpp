@@ -33,7 +33,7 @@ class Chevron : public testing::Test {
   }
 
   Scenario scenario_ = coarse();
-  simulator::Bone bone_ = make_patient(scenario_);
+  simulator::Bone bone_ = make_patient_bones(scenario_).front();
   Plan plan_ = plan_on(scenario_, bone_);
   simulator::Recording recording_;
 };
@@ -49,7 +49,7 @@ TEST_F(Chevron, IsCarriedOutWhole) {
   EXPECT_EQ(count(CutEventKind::ImplantTaken), 2) << "both wires come out again";
   EXPECT_EQ(count(CutEventKind::ScrewSeated), 1);
   const auto rebuilt = assessment::rebuild(bone_, tray_of(scenario_), recording_);
-  const auto bodies = assessment::bodies_of(rebuilt, plan_, bone_.name);
+  const auto bodies = assessment::bodies_of(rebuilt, plan_, bone_);
   const auto placements = assessment::placements_of(bodies, rebuilt, plan_);
   const auto fixation = assessment::fixation_of(recording_, rebuilt, bodies, bone_, plan_);
   const auto held = assessment::held_by(fixation, bodies);
@@ -76,7 +76,7 @@ TEST_F(Chevron, AHandWithFaultsDoesWhatTheySay) {
       std::ranges::find(recording_.events, CutEventKind::ToolChosen, &simulator::CutEvent::kind);
   ASSERT_NE(chosen, recording_.events.end());
   const auto rebuilt = assessment::rebuild(bone_, tray_of(scenario_), recording_);
-  const auto bodies = assessment::bodies_of(rebuilt, plan_, bone_.name);
+  const auto bodies = assessment::bodies_of(rebuilt, plan_, bone_);
   const auto placements = assessment::placements_of(bodies, rebuilt, plan_);
   const auto head = std::ranges::find(bodies, "head", &assessment::Body::name);
   ASSERT_NE(head, bodies.end());

@@ -61,7 +61,7 @@ std::string fault_of(const scenarios::Scenario& scenario, const simulator::Bone&
 void expect_that_every_seed_operates(const char* operation) {
   scenarios::Scenario scenario = scenarios::load_shipped_scenario(operation);
   scenario.patient.edge_mm = coarse_mm;
-  const simulator::Bone bone = make_patient(scenario);
+  const simulator::Bone bone = make_patient_bones(scenario).front();
   std::array<std::string, hands_of_seed * seeds> faults;
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {

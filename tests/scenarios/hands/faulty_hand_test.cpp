@@ -26,14 +26,14 @@ using simulator::Recording;
 struct Operation {
   explicit Operation(const char* name) : scenario(scenarios_test::format_1(name)) {
     scenario.patient.edge_mm = 1.2;
-    bone = make_patient(scenario);
+    bone = make_patient_bones(scenario).front();
     plan = plan_on(scenario, bone);
   }
   HandSkill skill(const std::vector<std::string>& faults, const char* hand = "perfect") const {
     return with_faults(hand_skill(hand), parse_hand_faults(faults, scenario));
   }
   std::vector<AimedCut> aimed(const HandSkill& skill) const {
-    return aim(scenario, plan, KnownBone(bone), skill, 1);
+    return aim(scenario, plan, KnownBones(bone), skill, 1);
   }
   std::vector<Act> acts(const std::vector<std::string>& faults) const {
     const HandSkill made = skill(faults);

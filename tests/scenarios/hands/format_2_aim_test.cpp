@@ -12,9 +12,9 @@ TEST(Format2Aim, WithoutErrorIsThePlan) {
   for (const char* name : {"akin", "chevron", "silver"}) {
     Scenario scenario = load_shipped_scenario(name);
     scenario.patient.edge_mm = 1.0;
-    const simulator::Bone bone = make_patient(scenario);
+    const simulator::Bone bone = make_patient_bones(scenario).front();
     const Plan plan = plan_on(scenario, bone);
-    const KnownBone known(bone);
+    const KnownBones known(bone);
     const std::vector<AimedCut> aims = aim(scenario, plan, known, hand_skill("perfect"), 1);
     ASSERT_EQ(aims.size(), plan.cuts.size());
     for (std::size_t i = 0; i < aims.size(); ++i) {

@@ -25,11 +25,11 @@ struct Patient {
   explicit Patient(const char* operation = "silver")
       : scenario(scenarios_test::format_1(operation)) {
     scenario.patient.edge_mm = 1.5;
-    bone = make_patient(scenario);
+    bone = make_patient_bones(scenario).front();
     plan = plan_on(scenario, bone);
   }
   AimedCut aimed(const HandSkill& skill, std::uint64_t seed) const {
-    return aim(scenario, plan, KnownBone(bone), skill, seed).at(0);
+    return aim(scenario, plan, KnownBones(bone), skill, seed).at(0);
   }
 
   Scenario scenario;
@@ -117,7 +117,7 @@ TEST(HandAim, HasTheErrorsOfItsSkill) {
 TEST(HandAim, EverySeedMeetsTheBone) {
   for (const char* operation : {"silver", "akin"}) {
     const Patient patient(operation);
-    const KnownBone known(patient.bone);
+    const KnownBones known(patient.bone);
     for (const char* name : {"expert", "novice"}) {
       for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         for (const AimedCut& cut :

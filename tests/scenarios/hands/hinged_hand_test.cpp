@@ -33,7 +33,7 @@ struct Patient {
     plan = plan_on(akin, bone);
   }
   std::vector<AimedCut> aimed(const HandSkill& skill, std::uint64_t seed) const {
-    return aim(akin, plan, KnownBone(bone), skill, seed);
+    return aim(akin, plan, KnownBones(bone), skill, seed);
   }
   Recording operated(const HandSkill& skill, std::uint64_t seed) const {
     FeelingHand hand(akin, bone, plan, skill, seed);

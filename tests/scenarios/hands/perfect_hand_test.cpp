@@ -20,11 +20,11 @@ using simulator::Recording;
 struct Operation {
   explicit Operation(const char* name) : scenario(scenarios_test::format_1(name)) {
     scenario.patient.edge_mm = 0.9;
-    bone = make_patient(scenario);
+    bone = make_patient_bones(scenario).front();
     plan = plan_on(scenario, bone);
   }
   std::vector<AimedCut> aimed(std::uint64_t seed) const {
-    return aim(scenario, plan, KnownBone(bone), hand_skill("perfect"), seed);
+    return aim(scenario, plan, KnownBones(bone), hand_skill("perfect"), seed);
   }
   Recording operated(std::uint64_t seed) const {
     return tests::run_hand(scenario, bone, "perfect", seed).recording;

@@ -21,7 +21,7 @@ class ReplayDifference : public testing::Test {
   // The shape is the same at any edge length; a coarse one replays as long an attempt.
   ReplayDifference() : silver_(scenarios_test::format_1("silver")) {
     silver_.patient.edge_mm = 1.0;
-    bone_ = make_patient(silver_);
+    bone_ = make_patient_bones(silver_).front();
     recording_ = run_hand(silver_, bone_, "expert", 1).recording;
   }
 

@@ -110,7 +110,7 @@ std::array<std::string, 3> said_of(const HandTrace& trace) {
 std::string draw_hands() {
   scenarios::Scenario silver = scenarios::load_shipped_scenario("silver");
   silver.patient.edge_mm = 0.8;
-  const simulator::Bone bone = make_patient(silver);
+  const simulator::Bone bone = make_patient_bones(silver).front();
   const scenarios::Plan plan = plan_on(silver, bone);
   const double bottom = top + row_height * static_cast<double>(rows.size());
   SvgPage page({840.0, bottom + 70.0}, "What an expert's and a novice's hand do at Silver");

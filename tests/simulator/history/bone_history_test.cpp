@@ -36,10 +36,8 @@ class TwinsAttempt {
   }
   std::vector<CutEvent> events(CutEventKind kind) const { return run_.events(kind); }
   std::shared_ptr<const BoneHistory> history() const {
-    return build_history({bone_,
-                          run_.recording(),
-                          assessment::opened_fields({}, bone_.world_from_bone, run_.recording()),
-                          {}});
+    return build_history(
+        {bone_, run_.recording(), assessment::opened_fields({}, bone_, run_.recording()), {}});
   }
 
  private:

@@ -29,7 +29,7 @@ using testing::standing_count;
 struct Operated {
   explicit Operated(scenarios::Scenario said) : scenario(std::move(said)) {
     scenario.patient.edge_mm = 0.9;
-    bone = make_patient(scenario);
+    bone = make_patient_bones(scenario).front();
     plan = plan_on(scenario, bone);
     scenarios::FeelingHand hand(scenario, bone, plan, scenarios::hand_skill("perfect"), 1);
     recording = tests::run_hand(scenario, bone, plan, hand).recording;
@@ -37,7 +37,7 @@ struct Operated {
 
   std::shared_ptr<const BoneHistory> history_of(const Recording& made) const {
     const Tray tray = tray_of(scenario);
-    return build_history({bone, made, assessment::opened_fields(tray, bone.world_from_bone, made),
+    return build_history({bone, made, assessment::opened_fields(tray, bone, made),
                           scenarios::planned_bridges(plan), tray});
   }
   assessment::RebuiltBone rebuilt(const Recording& made) const {
@@ -71,7 +71,7 @@ double total_mm3(const BoneMoment& moment) {
 /// As scoring leaves it at the end: each fragment's pieces, and where it lies.
 void expect_as_rebuilt(const BoneMoment& moment, const Operated& operated,
                        const assessment::RebuiltBone& rebuilt) {
-  const auto bodies = assessment::bodies_of(rebuilt, operated.plan, operated.bone.name);
+  const auto bodies = assessment::bodies_of(rebuilt, operated.plan, operated.bone);
   ASSERT_EQ(moment.fragment_count(), std::ssize(rebuilt.fragments));
   double all_mm3 = rebuilt.debris_mm3;
   std::vector<double> of_fragment(rebuilt.fragments.size(), 0.0);

@@ -44,11 +44,8 @@ class MovedBar {
     run_.step({{CommandKind::PickUp, 1, 0}});
     run_.hold(2);
     note("half taken");
-    history_ =
-        build_history({bone_,
-                       run_.recording(),
-                       assessment::opened_fields({}, bone_.world_from_bone, run_.recording()),
-                       {}});
+    history_ = build_history(
+        {bone_, run_.recording(), assessment::opened_fields({}, bone_, run_.recording()), {}});
   }
 
   const BoneHistory& history() const { return *history_; }

@@ -58,7 +58,7 @@ Bone read_packed_bone(const std::filesystem::path& file) {
 }
 
 TEST(Golden, TheExpertsFirstSilverGivesTheCommittedHashesAndReplaysIdentical) {
-  const Bone bone = scenarios::make_patient(scenarios_test::format_1("silver"));
+  const Bone bone = scenarios::make_patient_bones(scenarios_test::format_1("silver")).front();
   const SilverRun run(bone);
   const Recording recording = run.record();
   tests::expect_golden(bone, recording, tests::golden_silver_expert_1);

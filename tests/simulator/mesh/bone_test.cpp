@@ -1,4 +1,4 @@
-#include "simulator/mesh/bone.h"
+#include "simulator/mesh/bones.h"
 
 #include <gtest/gtest.h>
 
@@ -55,6 +55,41 @@ TEST(Bone, AnyByteChangedGivesAnotherBoneOrNone) {
     try {
       // Encoded again, because a zero that became a minus zero compares equal.
       ASSERT_EQ(encode_bone(decode_bone(changed)), changed) << i;
+    } catch (const MeshError&) {
+      continue;
+    }
+  }
+}
+
+TEST(Patient, OfOneBoneHasTheBytesOfThatBone) {
+  EXPECT_EQ(encode_patient(small_bone()), encode_bone(small_bone()));
+  EXPECT_EQ(decode_patient(encode_bone(small_bone())), std::vector{small_bone()});
+}
+
+TEST(Patient, OfSeveralBonesComesBackFromItsBytesInTheirOrder) {
+  Bone other = small_bone();
+  other.name = "first_proximal_phalanx";
+  other.world_from_bone.translation_mm.x = 70.0;
+  const std::vector<Bone> bones{small_bone(), other};
+  EXPECT_EQ(decode_patient(encode_patient(bones)), bones);
+  const std::vector<Bone> turned{other, small_bone()};
+  EXPECT_NE(encode_patient(turned), encode_patient(bones));
+}
+
+TEST(Patient, OfSeveralBonesIsRefusedWhereverItsBytesEndOrAreAltered) {
+  const std::vector<Bone> bones{small_bone(), small_bone()};
+  const std::vector<std::byte> bytes = encode_patient(bones);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    ASSERT_THROW(decode_patient(std::span{bytes}.first(size)), MeshError) << size;
+  }
+  std::vector<std::byte> longer = bytes;
+  longer.push_back(std::byte{0});
+  EXPECT_THROW(decode_patient(longer), MeshError);
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    std::vector<std::byte> changed = bytes;
+    changed[i] ^= std::byte{0x80};
+    try {
+      ASSERT_EQ(encode_patient(decode_patient(changed)), changed) << i;
     } catch (const MeshError&) {
       continue;
     }

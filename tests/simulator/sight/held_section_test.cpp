@@ -56,6 +56,16 @@ TEST(HeldSection, IsNothingOnceTheSectionIsOpenFromEdgeToEdge) {
   EXPECT_EQ(none.depth_mm, 0.0);
 }
 
+TEST(HeldSection, TellsASliverAlongTheRimThatLiesBetweenThePlacesOfTheGrid) {
+  SawnBlock block;
+  const std::int32_t kerf = block.freeze(0.0);
+  for (const double z_mm : {4.0, -4.0}) block.saw(kerf, {.y_mm = -9.98, .z_mm = z_mm});
+  const HeldSection sliver = held(block, kerf);
+  EXPECT_GT(sliver.share, 0.0);
+  EXPECT_LT(sliver.share, 0.001);
+  EXPECT_NEAR(in_block(block, kerf, sliver.deepest_mm).y, -10.0, 0.01);
+}
+
 TEST(HeldSection, AsksOnlyAboutTheSideOfAHingeThatIsToBeSawn) {
   SawnBlock block;
   const std::int32_t kerf = block.freeze(0.0);

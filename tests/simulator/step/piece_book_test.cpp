@@ -30,13 +30,13 @@ TEST(PieceBook, AnnouncesWhatCameFreeOneByOne) {
   std::vector<FoundPiece> pieces = bone_and_pieces(2);
   PieceBook book;
   EXPECT_TRUE(book.is_all_announced());
-  EXPECT_EQ(book.announce_next(), nullptr);
+  EXPECT_EQ(book.announce_next().piece, nullptr);
   book.learn(pieces);
   EXPECT_FALSE(book.is_all_announced());
-  EXPECT_EQ(book.announce_next(), &pieces[1]);
-  EXPECT_EQ(book.announce_next(), &pieces[2]);
+  EXPECT_EQ(book.announce_next().piece, &pieces[1]);
+  EXPECT_EQ(book.announce_next().piece, &pieces[2]);
   EXPECT_TRUE(book.is_all_announced());
-  EXPECT_EQ(book.announce_next(), nullptr);
+  EXPECT_EQ(book.announce_next().piece, nullptr);
 }
 
 TEST(PieceBook, TakesEachPieceOutOnce) {
@@ -66,7 +66,7 @@ TEST(PieceBook, ThePieceFreedLastIsTheOneAnnouncedLast) {
   std::vector<FoundPiece> pieces = bone_and_pieces(2);
   PieceBook book;
   book.learn(pieces);
-  while (book.announce_next() != nullptr) continue;
+  while (book.announce_next().piece != nullptr) continue;
   EXPECT_EQ(book.take_out(piece_freed_last), &pieces[2]);
 }
 

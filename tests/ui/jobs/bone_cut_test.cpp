@@ -12,7 +12,7 @@ class GeneratedBone : public testing::Test {
  protected:
   static void SetUpTestSuite() {
     const simulator::Bone bone =
-        scenarios::make_patient(scenarios::load_shipped_scenario("silver"));
+        scenarios::make_patient_bones(scenarios::load_shipped_scenario("silver")).front();
     write_ply(solid_of(bone), file());
   }
   static void TearDownTestSuite() { std::filesystem::remove(file()); }

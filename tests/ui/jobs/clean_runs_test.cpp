@@ -42,7 +42,7 @@ class CleanRuns {
     begun.scenario = published_;
     begun.kind = database::AttemptKind::Assessment;
     begun.engine = made.material.recording.engine;
-    put_bone(course_.database(), made.material.bone, begun);
+    put_patient(course_.database(), made.material.bones, begun);
     const database::AttemptId id = record(course_.database(), begun, made.material.recording);
     course_.trainee("ada").store_score(id, made.card);
     return made.card;

@@ -22,7 +22,7 @@ struct Planned {
 Planned planned(const char* name) {
   scenarios::Scenario scenario = scenarios::load_shipped_scenario(name);
   scenario.patient.edge_mm = 1.2;
-  simulator::Bone bone = make_patient(scenario);
+  simulator::Bone bone = make_patient_bones(scenario).front();
   scenarios::Plan plan = plan_on(scenario, bone);
   return {std::move(scenario), std::move(bone), std::move(plan)};
 }

@@ -64,7 +64,7 @@ TEST(ScenarioSheet, ChecksAFileOnAllOfItsBones) {
   const std::filesystem::path file = temporary.path() / "chevron.json";
   std::ofstream(file) << chevron.dump();
   const CheckedScenario checked = check_scenario_file(file);
-  EXPECT_EQ(checked.bone.name, "first_metatarsal");
+  EXPECT_EQ(checked.bones.front().name, "first_metatarsal");
   EXPECT_EQ(checked.plan.danger_zones.at(0).bone, 1U);
   EXPECT_EQ(checked.plan.cuts.size(), 4U);
 }

@@ -11,8 +11,8 @@ inline PatientView no_patient(const scenarios::Scenario& scenario, const Progres
   PatientView view;
   view.scenario_name = scenario.name;
   view.bone.mesh.high_mm = Vec3(20.0);
-  view.neighbour.mesh.high_mm = Vec3(20.0);
-  view.neighbour.world_from_bone.translation_mm = Vec3(30.0, 0.0, 0.0);
+  view.neighbour.emplace().mesh.high_mm = Vec3(20.0);
+  view.neighbour->world_from_bone.translation_mm = Vec3(30.0, 0.0, 0.0);
   return view;
 }
 

@@ -14,7 +14,7 @@ class Checked : public testing::Test {
     scenario.patient.edge_mm = 1.0;
     return scenario;
   }();
-  simulator::Bone bone_ = make_patient(scenario_);
+  simulator::Bone bone_ = make_patient_bones(scenario_).front();
   scenarios::Plan plan_ = plan_on(scenario_, bone_);
 
   StartViewCheck check() { return check_start_view(scenario_, bone_, plan_, "mine.json"); }

@@ -101,7 +101,7 @@ void print(const Found& found, const Visibility& expert) {
 /// An operation on a coarse patient, seen from anywhere.
 struct Site {
   scenarios::Scenario scenario;
-  simulator::Bone bone = make_patient(scenario);
+  simulator::Bone bone = make_patient_bones(scenario).front();
   scenarios::Plan plan = plan_on(scenario, bone);
   ViewJudge judge{scenario, bone, plan, {480, 300}};
   RigidTransform start = start_pose(scenario, bone, plan);

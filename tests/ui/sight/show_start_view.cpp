@@ -42,11 +42,11 @@ int main(int count, char** words) {
   }
   scenarios::Scenario scenario = scenarios::read_scenario(words[1]);
   scenario.patient.edge_mm = 0.6;
-  const simulator::Bone bone = make_patient(scenario);
+  const simulator::Bone bone = make_patient_bones(scenario).front();
   const scenarios::Plan plan = plan_on(scenario, bone);
   const HeadlessContext context;
   ViewJudge judge(scenario, bone, plan);
-  const DrawnBone shown(11, bone), beside(12, scenarios::neighbour_of(scenario));
+  const DrawnBone shown(11, bone), beside(12, *scenarios::neighbour_of(scenario));
   const RigidTransform start = start_pose(scenario, bone, plan);
   Scene scene;
   scene.bones = {shown.in_scene(1.0), beside.in_scene(0.45)};

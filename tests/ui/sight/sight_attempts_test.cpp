@@ -16,7 +16,7 @@ class ExpertSeen : public testing::TestWithParam<const char*> {};
 
 TEST_P(ExpertSeen, ShowsFourFifthsOfTeethAndKerf) {
   const scenarios::Scenario scenario = scenarios::load_shipped_scenario(GetParam());
-  const simulator::Bone bone = make_patient(scenario);
+  const simulator::Bone bone = make_patient_bones(scenario).front();
   const scenarios::Plan plan = plan_on(scenario, bone);
   const HeadlessContext context;
   ViewJudge judge(scenario, bone, plan);

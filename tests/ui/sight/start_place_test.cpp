@@ -13,7 +13,7 @@ class Placed : public testing::Test {
     scenario.patient.edge_mm = 1.0;
     return scenario;
   }();
-  simulator::Bone bone_ = make_patient(scenario_);
+  simulator::Bone bone_ = make_patient_bones(scenario_).front();
   scenarios::Plan plan_ = plan_on(scenario_, bone_);
 
   Vec3 seen(const Vec3& eye_in_bone, const Vec3& up_in_bone, const Vec3& axis_in_view) {

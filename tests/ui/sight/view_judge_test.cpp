@@ -21,7 +21,7 @@ class Judged : public testing::TestWithParam<const char*> {
     scenario.patient.edge_mm = 0.9;
     return scenario;
   }();
-  simulator::Bone bone_ = make_patient(scenario_);
+  simulator::Bone bone_ = make_patient_bones(scenario_).front();
   scenarios::Plan plan_ = plan_on(scenario_, bone_);
   HeadlessContext context_;
   ViewJudge judge_{scenario_, bone_, plan_};

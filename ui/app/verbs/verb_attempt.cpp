@@ -178,13 +178,13 @@ HeldHand held_hand(const VerbContext& context, const AttemptOptions& options,
   HeldHand held;
   held.last_tick = static_cast<std::int64_t>(options.seconds / step_s);
   held.force_law = *force_law_from(options.force_law);
-  held.lend = [station, &scenario, found](const simulator::Bone& bone,
+  held.lend = [station, &scenario, found](const simulator::Bones& bones,
                                           const scenarios::Plan& plan) {
     std::unique_ptr<simulator::HapticDevice> device;
     had_or_not_usable([&] {
       device = lend_hand(
           station, found, {},
-          {start_pose(scenario, bone, plan), start_camera(scenario, bone, plan).world_from_view});
+          {start_pose(scenario, bones, plan), start_camera(scenario, bones, plan).world_from_view});
     });
     return device;
   };

@@ -72,7 +72,7 @@ ExitCode check_on(const VerbContext& context, const std::filesystem::path& file)
   const CheckedScenario checked = check_scenario_file(file);
   const Scenario& scenario = checked.scenario;
   const StartViewCheck view =
-      check_start_view(scenario, checked.bone, checked.plan, file.filename().string());
+      check_start_view(scenario, checked.bones, checked.plan, file.filename().string());
   if (context.json) {
     ordered_json answer = summary_json(scenario);
     answer["file"] = file.string();

@@ -81,11 +81,11 @@ ExitCode report_on(const VerbContext& context, const ReportOptions& options) {
   const AttemptAction wanted{Action::ViewAttempt, {options.attempt}};
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_to_score(database, desk, {options.attempt});
-    const assessment::WhatIf what_if(material.scenario, material.bone, material.recording,
+    const assessment::WhatIf what_if(material.scenario, material.bones, material.recording,
                                      material.header.begun.device_class,
                                      score_attempt(material, stages_on(context)));
     const assessment::Examination& examination = what_if.examination();
-    ReportMaterial shown = report_material(material.scenario, material.bone, material.recording,
+    ReportMaterial shown = report_material(material.scenario, material.bones, material.recording,
                                            examination, material.header.begun.guidance);
     const assessment::Proposals proposals =
         cancelled_as("stopped while trying changes; no report was written",

@@ -105,7 +105,7 @@ ExitCode what_if_on(const VerbContext& context, const WhatIfOptions& options) {
   const AttemptAction wanted{Action::ViewAttempt, {options.attempt}};
   return at_attempt_desk(context, database, wanted, [&](database::AttemptDesk& desk) {
     const AttemptMaterial material = load_to_score(database, desk, {options.attempt});
-    const assessment::WhatIf what_if(material.scenario, material.bone, material.recording,
+    const assessment::WhatIf what_if(material.scenario, material.bones, material.recording,
                                      material.header.begun.device_class,
                                      score_attempt(material, stages_on(context)));
     if (changes.empty()) {

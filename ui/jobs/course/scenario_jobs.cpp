@@ -211,9 +211,8 @@ CheckedScenario check_scenario_file(const std::filesystem::path& file) {
   coarse.patient.edge_mm = std::max(coarse.patient.edge_mm, check_edge_mm);
   for (PatientRequest& bone : coarse.further_bones)
     bone.edge_mm = std::max(bone.edge_mm, check_edge_mm);
-  std::vector<simulator::Bone> bones = make_patient_bones(coarse);
-  checked.plan = plan_on(coarse, bones);
-  checked.bone = std::move(bones.front());
+  checked.bones = make_patient_bones(coarse);
+  checked.plan = plan_on(coarse, checked.bones);
   return checked;
 }
 

@@ -22,7 +22,7 @@ scenarios::Scenario load_scenario(const std::string& name_or_file);
 struct CheckedScenario {
   scenarios::Scenario scenario;
   /// The patient at a coarse edge length, and on it where the planes lie, not what is cut.
-  simulator::Bone bone;
+  std::vector<simulator::Bone> bones;
   scenarios::Plan plan;
 };
 

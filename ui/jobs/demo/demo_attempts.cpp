@@ -25,7 +25,7 @@ constexpr std::size_t ring_capacity = 32768;
 scenarios::FeelingHand aimed_hand(const DemoOperation& operation, DemoAttempt& planned) {
   for (int i = 0;; ++i) {
     try {
-      return {operation.scenario, operation.bone, operation.plan, skill_between(planned.skill),
+      return {operation.scenario, operation.bones, operation.plan, skill_between(planned.skill),
               planned.seed};
     } catch (const scenarios::ScenarioError&) {
       if (i == other_seeds_max) throw;
@@ -41,8 +41,8 @@ OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAtte
   OperatedAttempt operated;
   operated.planned = planned;
   scenarios::FeelingHand hand = aimed_hand(operation, operated.planned);
-  simulator::AttemptSetup setup{simulation_setup(operation.scenario, operation.bone, operation.plan,
-                                                 simulator::Guidance::None)};
+  simulator::AttemptSetup setup{simulation_setup(operation.scenario, operation.bones,
+                                                 operation.plan, simulator::Guidance::None)};
   setup.last_tick = scenarios::FeelingHand::last_tick;
   setup.attempt_operator = &hand;
   simulator::AttemptChannels channels{ring_capacity};
@@ -55,7 +55,7 @@ OperatedAttempt operate_and_score(const DemoOperation& operation, const DemoAtte
   }
   drain(channels, operated.recording);
   assessment::Examination examination =
-      assessment::assess_fully(operation.scenario, operation.bone, operated.recording, "scripted",
+      assessment::assess_fully(operation.scenario, operation.bones, operated.recording, "scripted",
                                part_of(progress, operating_part, 1.0));
   operated.card = std::move(examination.card);
   operated.measurements = std::move(examination.measurements);

@@ -18,7 +18,7 @@ namespace hallux::ui {
 /// One scenario, its patient and the plan on it: the same for all attempts at it.
 struct DemoOperation {
   scenarios::Scenario scenario;
-  simulator::Bone bone;
+  std::vector<simulator::Bone> bones;
   scenarios::Plan plan;
 };
 

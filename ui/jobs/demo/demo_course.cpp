@@ -81,13 +81,13 @@ std::vector<DemoOperation> prepare(const std::vector<scenarios::Scenario>& scena
   for (const scenarios::Scenario& scenario : scenarios) {
     const double before = static_cast<double>(operations.size());
     const auto all = static_cast<double>(scenarios.size());
-    simulator::Bone bone =
+    std::vector<simulator::Bone> bones =
         cancelled_as("stopped while the bones were built; nothing was kept", [&] {
-          return scenarios::make_patient(scenario,
-                                         part_of(report, before / all, (before + 1.0) / all));
+          return scenarios::make_patient_bones(scenario,
+                                               part_of(report, before / all, (before + 1.0) / all));
         });
-    DemoOperation operation{scenario, std::move(bone), {}};
-    operation.plan = plan_on(operation.scenario, operation.bone);
+    DemoOperation operation{scenario, std::move(bones), {}};
+    operation.plan = plan_on(operation.scenario, operation.bones);
     operations.push_back(std::move(operation));
   }
   report(1.0);

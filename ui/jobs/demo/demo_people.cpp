@@ -119,7 +119,7 @@ void DemoPeople::found(const std::vector<DemoOperation>& operated) {
   for (std::size_t i = 0; i < operated.size(); ++i) {
     database::NewAttempt begun;
     begun.scenario = versions_[i];
-    begun.bone = put_asset(database_, "bone", simulator::encode_bone(operated[i].bone));
+    begun.bone = put_asset(database_, "bone", simulator::encode_patient(operated[i].bones));
     begun_.push_back(begun);
     measured_by_.push_back(measured_by(operated[i].scenario, begun.bone));
   }

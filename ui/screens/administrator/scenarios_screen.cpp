@@ -299,7 +299,7 @@ Imported import_file(database::Session& session, const std::filesystem::path& fi
   const CheckedScenario checked = check_scenario_file(file);
   reached(on_patient_share);
   const StartViewCheck view =
-      check_start_view(checked.scenario, checked.bone, checked.plan, file.filename().string());
+      check_start_view(checked.scenario, checked.bones, checked.plan, file.filename().string());
   reached(looked_at_share);
   return {import_scenario(desk, checked.scenario), view.why_not_drawn};
 }

@@ -33,6 +33,8 @@ constexpr double tilt_good_rad = 0.0079, offset_good_mm = 0.25, along_good_mm = 
 constexpr double caught_newton = 2.0;
 /// What is left of a cut is to lie so far inside the ends of the tooth line.
 constexpr double inside_mm = 0.75;
+/// Teeth that cut are not called back for less along the cut.
+constexpr double along_at_work_mm = 2.0;
 /// Nearer to bone the saw is not moved aside, and may be a little less right: who aimed well in air
 /// is not called back for a push that went a little aside.
 constexpr double clear_mm = 1.0, slack_at_bone = 1.7;
@@ -48,7 +50,7 @@ constexpr double crumb_mm = 0.3;
 constexpr double at_bone_mm = 0.6, pushed_at_once_mm = 4.0;
 /// Where the best move mends less, the view looks along what is to be mended.
 constexpr double least_mended_share = 0.02;
-/// A turn in the face counts less: it tilts no wall, and only moves the teeth aside as they go deep.
+/// A turn in the face counts less: it tilts no wall, and only moves the teeth aside as they go in.
 constexpr double yaw_weight = 0.5, yaw_good_rad = 0.035;
 
 /// Where the middle of the blade is to lie; the normal looks to the waste.
@@ -200,7 +202,8 @@ std::optional<Hint> place_hint(const CoachView& view, const Aim& aim, const Plan
   const double off_mm = glm::dot(aim.goal.normal, tip_mm) - aim.goal.offset_mm;
   const double along_mm =
       glm::dot(aim.passes.along_in_bone, tip_mm - aim.cut.entry_point_in_bone_mm) - aim.middle_mm;
-  if (std::abs(off_mm) < slack * offset_good_mm && std::abs(along_mm) < slack * along_good_mm)
+  const double along_slack_mm = view.is_touching ? along_at_work_mm : slack * along_good_mm;
+  if (std::abs(off_mm) < slack * offset_good_mm && std::abs(along_mm) < along_slack_mm)
     return std::nullopt;
   const auto levers = levers_across<2>(view.bone_from_view, [&](const Vec3& way) {
     return std::array<double, 2>{glm::dot(aim.goal.normal, way),
@@ -292,21 +295,26 @@ Hint approach_hint(double to_bone_mm) {
   return hint;
 }
 
-/// Pushed, and yet the teeth touch nothing: a face of the blade rests on the rim of its own kerf.
-bool is_caught(const CoachView& view, const Aim& aim) {
-  return aim.held != nullptr && aim.held->is_begun() && !view.is_touching &&
-         view.force_newton > caught_newton;
+/// Pushed, and yet the teeth touch nothing: a face of the blade rests on the rim of its own kerf,
+/// or a corner of it on an edge of the bone.
+bool is_caught(const CoachView& view) {
+  return !view.is_touching && view.force_newton > caught_newton &&
+         view.site->ahead.beside_mm < clear_mm;
 }
 
-/// Across the kerf by a little, under the push: there the blade finds its slot.
+/// A little aside, under the push: across its kerf the blade finds its slot, and along the cut, to
+/// the middle of it, its teeth find bone.
 Hint caught_hint(const CoachView& view, const Aim& aim) {
-  const double off_mm =
-      glm::dot(aim.goal.normal, view.bone_from_tool.translation_mm) - aim.goal.offset_mm;
-  const auto levers = levers_across<1>(view.bone_from_view, [&](const Vec3& way) {
-    return std::array{glm::dot(aim.goal.normal, way)};
-  });
-  Hint hint{.text_id = "operate.hint.caught"};
-  hint.read_outs = {"plan.distance"};
+  const Vec3& tip_mm = view.bone_from_tool.translation_mm;
+  const bool is_in_slot = aim.held != nullptr && aim.held->is_begun();
+  const Vec3& aside = is_in_slot ? aim.goal.normal : aim.passes.along_in_bone;
+  const double middle_mm = glm::dot(aside, aim.cut.entry_point_in_bone_mm) +
+                           0.5 * (aim.passes.low_mm + aim.passes.high_mm);
+  const double off_mm = glm::dot(aside, tip_mm) - (is_in_slot ? aim.goal.offset_mm : middle_mm);
+  const auto levers = levers_across<1>(
+      view.bone_from_view, [&](const Vec3& way) { return std::array{glm::dot(aside, way)}; });
+  Hint hint{.text_id = is_in_slot ? "operate.hint.caught" : "operate.hint.caught_corner"};
+  hint.read_outs = {is_in_slot ? "plan.distance" : "plan.along"};
   Chosen chosen = best_move<1>({off_mm}, levers);
   chosen.amount = simulator::fine_share * key_step_mm;
   set_amount(hint, chosen, key_step_mm);
@@ -319,7 +327,7 @@ Hint aiming_hint(const CoachView& view, const Aim& aim) {
   const simulator::BladeAhead& ahead = view.site->ahead;
   const bool is_at_bone = ahead.beside_mm < clear_mm;
   const double slack = is_at_bone ? slack_at_bone : 1.0;
-  if (is_caught(view, aim)) return caught_hint(view, aim);
+  if (is_caught(view)) return caught_hint(view, aim);
   const std::optional<Hint> tilt = tilt_hint(view, aim, reading, slack);
   const std::optional<Hint> place = place_hint(view, aim, reading, slack);
   if ((tilt || place) && is_at_bone) return draw_back_hint("operate.hint.clear", 3.0);
@@ -340,6 +348,8 @@ Hint cut_hint(const CoachView& view, const PlannedCut& cut) {
     return switch_hint("operate.hint.saw_on");
   if (view.is_in_kerf) return stroke_hint(view, aim);
   if (is_through(aim)) return press_hint("operate.hint.cut_done");
+  if (view.site->is_blade_in_bone && !view.is_touching)
+    return draw_back_hint("operate.hint.not_held", blade_of(view).depth_mm);
   return aiming_hint(view, aim);
 }
 

@@ -300,8 +300,7 @@ ShiftReading shift_reading(const CoachView& view, std::size_t shift) {
   const FreedFragment* const freed = freed_by(view, shift);
   const bool is_fragment = freed != nullptr && freed->fragment.has_value();
   const RigidTransform lies =
-      is_fragment ? view.site->bone_from_fragments[static_cast<std::size_t>(*freed->fragment)]
-                  : RigidTransform();
+      is_fragment ? view.site->moved[static_cast<std::size_t>(*freed->fragment)] : RigidTransform();
   return read_shift(view.plan, shift, lies);
 }
 

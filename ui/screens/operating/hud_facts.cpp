@@ -28,7 +28,7 @@ std::string_view verb_of(StepKind kind) noexcept {
 }
 
 RigidTransform bone_from_tool(const HudSources& from) {
-  return inverse(from.prepared_case.bone.world_from_bone) *
+  return inverse(from.prepared_case.bone().world_from_bone) *
          transform_from(from.loop.sample.world_from_tool);
 }
 
@@ -95,7 +95,8 @@ std::string contact_line(const HudSources& from) {
 
 std::optional<double> way_to_hinge_mm(const HudSources& from) {
   if (from.cut == nullptr) return std::nullopt;
-  const scenarios::PlannedHinge* const hinge = find_hinge(from.prepared_case.plan, from.cut->hinge);
+  const scenarios::PlannedHinge* const hinge =
+      find_hinge(from.prepared_case.plan_in_first, from.cut->hinge);
   if (hinge == nullptr) return std::nullopt;
   return hallux::ui::way_to_hinge_mm(*hinge, bone_from_tool(from));
 }
@@ -122,7 +123,7 @@ bool is_saw_in_hand(const HudSources& from) {
 
 void add_plan(OperatingHud& hud, const HudSources& from) {
   if (from.cut == nullptr || !is_saw_in_hand(from)) return;
-  const std::size_t index = index_of_cut(from.prepared_case.plan, from.cut->name);
+  const std::size_t index = index_of_cut(from.prepared_case.plan_in_first, from.cut->name);
   hud.plan = {reading_of(from), read_passes(*from.cut, from.passes[index], bone_from_tool(from)),
               bands_of(from.prepared_case.scenario.rubric, from.cut->name)};
 }
@@ -192,10 +193,10 @@ CoachView coach_view(const HudSources& from) { return coach_view(from, from.sess
 
 CoachView coach_view(const HudSources& from, const StepProgress& steps) {
   const PreparedCase& prepared = from.prepared_case;
-  const Quat bone_from_world = glm::conjugate(prepared.bone.world_from_bone.rotation);
+  const Quat bone_from_world = glm::conjugate(prepared.bone().world_from_bone.rotation);
   const std::uint32_t status = from.loop.sample.status;
   return {.scenario = prepared.scenario,
-          .plan = prepared.plan,
+          .plan = prepared.plan_in_first,
           .passes = from.passes,
           .steps = steps,
           .site = from.site,

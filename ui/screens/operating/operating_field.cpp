@@ -49,7 +49,7 @@ void OperatingField::run(const std::string& name, CommandedLoop& loop,
   running_.reset(new Running{loop,
                              device,
                              std::move(second),
-                             {name, prepared_case(), loop.watch(), std::move(prepared_.picture)}});
+                             {name, prepared_case(), loop.watch(), std::move(prepared_.pictures)}});
   session_.run(loop, device);
 }
 
@@ -239,7 +239,7 @@ void OperatingField::show(Ui& ui, Shell& shell, std::span<const Mark> goals) {
   BoneBeingCut* bone = running_ ? &running_->bone : nullptr;
   OperationInSight shown{
       .prepared_case = prepared_case(),
-      .whole = prepared_.picture,
+      .wholes = prepared_.pictures,
       .bone = bone,
       .loop = has_stepped ? &running_->view : nullptr,
       .world_from_target = session_.saw().world_from_target(),
@@ -292,7 +292,7 @@ simulator::Saw OperatingField::driven_saw() const {
 
 const scenarios::PlannedCut* OperatingField::known_cut() const {
   if (!session_.is_practice()) return nullptr;
-  const scenarios::Plan& plan = prepared_case().plan;
+  const scenarios::Plan& plan = prepared_case().plan_in_first;
   const std::int32_t kerf = running_ ? running_->view.sample.kerf : -1;
   if (kerf >= 0 && running_->site != nullptr) {
     const auto& cuts = running_->site->cuts;
@@ -304,9 +304,9 @@ const scenarios::PlannedCut* OperatingField::known_cut() const {
 
 const scenarios::HeldCut* OperatingField::held_at_step() const {
   const scenarios::PlannedCut* const cut =
-      cut_at_step(prepared_case().scenario, prepared_case().plan, session_.steps().step());
+      cut_at_step(prepared_case().scenario, prepared_case().plan_in_first, session_.steps().step());
   if (cut == nullptr || running_->site == nullptr) return nullptr;
-  const std::size_t index = index_of_cut(prepared_case().plan, cut->name);
+  const std::size_t index = index_of_cut(prepared_case().plan_in_first, cut->name);
   return index < running_->site->cuts.size() ? &running_->site->cuts[index] : nullptr;
 }
 
@@ -363,10 +363,10 @@ const BladeSection* OperatingField::inset(const std::optional<WayAhead>& way) {
     return nullptr;
   const std::shared_ptr<const KerfSection> section = running_->bone.section();
   if (section == nullptr) return nullptr;
-  const RigidTransform bone_from_tool = inverse(prepared_case().bone.world_from_bone) *
+  const RigidTransform bone_from_tool = inverse(prepared_case().bone().world_from_bone) *
                                         transform_from(running_->view.sample.world_from_tool);
   panels_.inset =
-      blade_section(*section, bone_from_tool, driven_saw().blade, &prepared_case().plan);
+      blade_section(*section, bone_from_tool, driven_saw().blade, &prepared_case().plan_in_first);
   panels_.inset->way = way;
   return &*panels_.inset;
 }

@@ -90,36 +90,41 @@ void add_bones(Scene& scene, const OperationInSight& shown) {
   if (shown.bone != nullptr) {
     shown.bone->add_to(scene);
   } else {
-    BoneInScene& whole = scene.bones.emplace_back();
-    whole.mesh = shown.whole.mesh.get();
-    whole.look = &shown.whole.look;
-    whole.world_from_bone = shown.prepared_case.bone.world_from_bone;
+    for (std::size_t bone = 0; bone < shown.wholes.size(); ++bone) {
+      BoneInScene& whole = scene.bones.emplace_back();
+      whole.mesh = shown.wholes[bone].mesh.get();
+      whole.look = &shown.wholes[bone].look;
+      whole.world_from_bone = shown.prepared_case.bones[bone].world_from_bone;
+    }
   }
   if (!has_neighbour(shown)) return;
   BoneInScene& neighbour = scene.bones.emplace_back();
-  neighbour.mesh = &shown.site->neighbour.mesh;
-  neighbour.look = &shown.site->neighbour.look;
-  neighbour.world_from_bone = shown.site->neighbour.world_from_bone;
+  neighbour.mesh = &shown.site->neighbour->mesh;
+  neighbour.look = &shown.site->neighbour->look;
+  neighbour.world_from_bone = shown.site->neighbour->world_from_bone;
   neighbour.presence = neighbour_presence;
 }
 
 /// needs   the bones are in the scene
 std::vector<BoneSurface> surfaces_of(const OperationInSight& shown) {
   if (shown.bone != nullptr) return shown.bone->surfaces();
-  return {{*shown.whole.tree, shown.prepared_case.bone.world_from_bone}};
+  std::vector<BoneSurface> surfaces;
+  for (std::size_t bone = 0; bone < shown.wholes.size(); ++bone)
+    surfaces.push_back({*shown.wholes[bone].tree, shown.prepared_case.bones[bone].world_from_bone});
+  return surfaces;
 }
 
 std::array<double, blade_sight_count> hidden_from(const OperationInSight& shown,
                                                   const SawInScene& saw) {
   std::vector<BoneSurface> bones = surfaces_of(shown);
   if (has_neighbour(shown))
-    bones.push_back({*shown.site->neighbour_tree, shown.site->neighbour.world_from_bone});
+    bones.push_back({*shown.site->neighbour_tree, shown.site->neighbour->world_from_bone});
   return hidden_along_blade(bones, saw.world_from_tool, saw.blade);
 }
 
 PlaneGhost plane_of(const OperationInSight& shown) {
-  const RigidTransform& world_from_bone = shown.prepared_case.bone.world_from_bone;
-  const scenarios::Plan& plan = shown.prepared_case.plan;
+  const RigidTransform& world_from_bone = shown.prepared_case.bone().world_from_bone;
+  const scenarios::Plan& plan = shown.prepared_case.plan_in_first;
   if (shown.site == nullptr) return {world_from_bone * bone_from_planned(*shown.cut)};
   const PlannedFace& face = shown.site->faces[index_of_cut(plan, shown.cut->name)];
   return {world_from_bone * face.bone_from_face, face.half_mm};
@@ -143,14 +148,15 @@ void add_guidance(Scene& scene, const OperationInSight& shown, const SawInScene&
                            .half_mm = Vec2(0.0, 0.5 * saw.blade.width_mm + beside_teeth_mm),
                            .faint_mm = faint_line_mm});
   }
-  scene.zones = zones_in_scene(shown.prepared_case.plan, shown.prepared_case.bone.world_from_bone,
-                               saw.world_from_tool, saw.blade);
+  scene.zones =
+      zones_in_scene(shown.prepared_case.plan_in_first, shown.prepared_case.bone().world_from_bone,
+                     saw.world_from_tool, saw.blade);
   add_planned_fixation(scene, shown);
   if (shown.bone != nullptr) shown.bone->add_free_pieces(scene);
 }
 
 void add_held(Scene& scene, const OperationInSight& shown) {
-  const RigidTransform& world_from_bone = shown.prepared_case.bone.world_from_bone;
+  const RigidTransform& world_from_bone = shown.prepared_case.bone().world_from_bone;
   scene.held = shown.facts->held;
   for (const scenarios::HeldCut& cut : shown.facts->cuts) {
     if (!cut.is_begun() || cut.is_through()) continue;

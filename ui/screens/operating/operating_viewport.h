@@ -24,7 +24,7 @@ namespace hallux::ui {
 struct OperationInSight {
   const PreparedCase& prepared_case;
   /// The bone before anybody operates on it; nobody asks for it where there is one that is cut.
-  const BonePicture& whole;
+  const BonePictures& wholes;
   BoneBeingCut* bone = nullptr;
   /// The loop's newest; nothing before its first step.
   const simulator::LoopView* loop = nullptr;

@@ -35,12 +35,12 @@ class NeighbourWork {
   NeighbourWork(const NeighbourWork&) = delete;
   NeighbourWork& operator=(const NeighbourWork&) = delete;
 
-  BoneInView take() { return made_.get(); }
+  std::optional<BoneInView> take() { return made_.get(); }
 
  private:
   std::atomic<bool> is_stopped_{false};
   /// Last: waited for before the rest goes.
-  std::future<BoneInView> made_;
+  std::future<std::optional<BoneInView>> made_;
 };
 
 database::TraineeDesk desk_of(database::Session& session) {
@@ -54,14 +54,24 @@ database::TraineeDesk desk_of(database::Session& session) {
 
 }  // namespace
 
-std::vector<scenarios::PlannedPasses> passes_of(const PreparedCase& prepared_case,
-                                                const BonePicture& picture) {
+std::vector<scenarios::PlannedPasses> passes_of(const PreparedCase& prepared_case) {
   std::vector<scenarios::PlannedPasses> passes;
   for (std::size_t cut = 0; cut < prepared_case.plan.cuts.size(); ++cut) {
-    passes.push_back(planned_passes(prepared_case.scenario, prepared_case.plan, cut,
-                                    picture.mesh->solid, *picture.tree));
+    const std::size_t bone = prepared_case.plan.cuts[cut].bone;
+    const simulator::WholeBone& whole = *prepared_case.wholes[bone];
+    scenarios::PlannedPasses& made = passes.emplace_back(
+        planned_passes(prepared_case.scenario, prepared_case.plan, cut, whole.solid, whole.tree));
+    const RigidTransform first_from_bone = first_from(prepared_case.bones, bone);
+    for (Vec3* const direction : {&made.feed_in_bone, &made.along_in_bone})
+      *direction = transform_direction(first_from_bone, *direction);
   }
   return passes;
+}
+
+std::vector<PlannedFace> faces_of(const PreparedCase& prepared_case) {
+  std::vector<simulator::SolidWithTree> wholes;
+  for (const auto& whole : prepared_case.wholes) wholes.push_back({whole->solid, whole->tree});
+  return planned_faces(wholes, prepared_case.plan, prepared_case.bones);
 }
 
 PreparedOperation prepare_operation(SignedInSession& signed_in,
@@ -77,16 +87,16 @@ PreparedOperation prepare_operation(SignedInSession& signed_in,
       scenarios::parse_scenario(text.json, text.name), stages_of(report, patient_share)));
   cancelled_as("stopped while the picture was being made; nothing was stored", [&] {
     NeighbourWork neighbour(prepared.prepared_case->scenario, directory);
-    prepared.picture = picture_of(prepared.prepared_case, directory, [&](double fraction) {
+    prepared.pictures = pictures_of(prepared.prepared_case, directory, [&](double fraction) {
       return report.reached(patient_share + (1.0 - patient_share) * fraction);
     });
     SitePicture site;
-    site.faces = planned_faces(prepared.picture.mesh->solid, *prepared.picture.tree,
-                               prepared.prepared_case->plan);
+    site.faces = faces_of(*prepared.prepared_case);
     site.neighbour = neighbour.take();
-    site.neighbour_tree = std::make_shared<const simulator::Bvh>(site.neighbour.mesh.solid.mesh);
+    if (site.neighbour)
+      site.neighbour_tree = std::make_shared<const simulator::Bvh>(site.neighbour->mesh.solid.mesh);
     prepared.site = std::make_shared<const SitePicture>(std::move(site));
-    prepared.passes = passes_of(*prepared.prepared_case, prepared.picture);
+    prepared.passes = passes_of(*prepared.prepared_case);
   });
   // What briefing, replays and the making of the patient left free in the heaps goes back to the
   // system now, while nobody operates: an operation needs the room.
@@ -101,7 +111,7 @@ std::unique_ptr<LiveAttempt> begin_operation(SignedInSession& signed_in,
   what.device_class = device->description().device_class;
   return signed_in.in_turn([&](database::Session& session, database::Database& database) {
     database::TraineeDesk desk = desk_of(session);
-    database::WriterLease lease = begin_live(database, desk, what, prepared_case->bone);
+    database::WriterLease lease = begin_live(database, desk, what, prepared_case->bones);
     return std::make_unique<LiveAttempt>(std::move(prepared_case), database, std::move(lease),
                                          std::move(device), std::move(what));
   });

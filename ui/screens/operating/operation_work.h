@@ -16,7 +16,7 @@ namespace hallux::ui {
 /// What an operation needs before it can begin.
 struct PreparedOperation {
   std::shared_ptr<const PreparedCase> prepared_case;
-  BonePicture picture;
+  BonePictures pictures;
   std::shared_ptr<const SitePicture> site;
   /// By the plan's cuts.
   std::vector<scenarios::PlannedPasses> passes;
@@ -28,10 +28,10 @@ struct PreparedOperation {
 PreparedOperation prepare_operation(SignedInSession& signed_in,
                                     database::ScenarioVersionId scenario, WorkReport& report);
 
-/// Of each of the plan's cuts.
-/// picture  of the uncut bone
-std::vector<scenarios::PlannedPasses> passes_of(const PreparedCase& prepared_case,
-                                                const BonePicture& picture);
+/// Of each of the plan's cuts, in the frame of the first bone.
+std::vector<scenarios::PlannedPasses> passes_of(const PreparedCase& prepared_case);
+/// Likewise.
+std::vector<PlannedFace> faces_of(const PreparedCase& prepared_case);
 
 /// Begins the attempt at the desk of who is signed in, and starts it. Its device class is what the
 /// device says.

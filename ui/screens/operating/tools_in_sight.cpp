@@ -94,7 +94,7 @@ void add_tool(Scene& scene, const OperationInSight& shown, const SawInScene& saw
 }
 
 void add_planned_fixation(Scene& scene, const OperationInSight& shown) {
-  const RigidTransform& world_from_bone = shown.prepared_case.bone.world_from_bone;
+  const RigidTransform& world_from_bone = shown.prepared_case.bone().world_from_bone;
   if (shown.implant != nullptr) {
     const scenarios::PlannedImplant& planned = *shown.implant;
     const RigidTransform bone_from_tool =
@@ -104,8 +104,12 @@ void add_planned_fixation(Scene& scene, const OperationInSight& shown) {
   if (!shown.shift || shown.tools == nullptr || shown.bone == nullptr) return;
   const std::optional<FragmentSurface> held = shown.bone->fragment(shown.tools->gripped());
   if (!held) return;
-  const RigidTransform target = bone_from_shifted(shown.prepared_case.plan, *shown.shift);
-  scene.free_pieces.push_back({held->mesh, world_from_bone * target});
+  const scenarios::Plan& plan = shown.prepared_case.plan_in_first;
+  const scenarios::PlannedFragment& fragment =
+      *find_fragment(plan.fixation, plan.fixation.shifts[*shown.shift].fragment);
+  const RigidTransform first_from_target =
+      bone_from_shifted(plan, *shown.shift) * first_from(shown.prepared_case.bones, fragment.bone);
+  scene.free_pieces.push_back({held->mesh, world_from_bone * first_from_target});
 }
 
 }  // namespace hallux::ui

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 
 #include "scenarios/neighbour.h"
 #include "simulator/base/digest.h"
@@ -64,24 +65,44 @@ SawInScene saw_of(const PatientView& view) {
   return saw;
 }
 
+const BoneInView& operated(const PatientView& view, std::size_t bone) {
+  return bone == 0 ? view.bone : view.further[bone - 1];
+}
+
+/// Each on its bone.
+void add_cuts(PatientView& view, const scenarios::Scenario& scenario, const scenarios::Plan& plan) {
+  std::vector<std::unique_ptr<const simulator::Bvh>> trees;
+  for (std::size_t bone = 0; bone <= view.further.size(); ++bone)
+    trees.push_back(std::make_unique<const simulator::Bvh>(operated(view, bone).mesh.solid.mesh));
+  for (std::size_t index = 0; index < plan.cuts.size(); ++index) {
+    const PlannedCut& cut = plan.cuts[index];
+    const BoneInView& bone = operated(view, cut.bone);
+    view.faces.push_back(face_in_view(bone, *trees[cut.bone], cut));
+    view.passes.push_back(passes_in_view(scenario, plan, index, bone.mesh.solid, *trees[cut.bone]));
+  }
+}
+
 }  // namespace
 
 PatientView make_patient_view(const scenarios::Scenario& scenario, const Progress& progress,
                               double edge_mm) {
   scenarios::Scenario coarse = scenario;
   coarse.patient.edge_mm = std::max(coarse.patient.edge_mm, edge_mm);
-  const simulator::Bone bone = make_patient(coarse, progress);
-  const scenarios::Plan plan = plan_on(coarse, bone);
+  for (scenarios::PatientRequest& further : coarse.further_bones)
+    further.edge_mm = std::max(further.edge_mm, edge_mm);
+  const std::vector<simulator::Bone> bones = make_patient_bones(coarse, progress);
+  const scenarios::Plan plan = plan_on(coarse, bones);
   PatientView view;
   view.scenario_name = scenario.name;
-  view.bone = bone_in_view(id_of(scenario, "bone", coarse.patient.edge_mm), bone);
+  view.bone = bone_in_view(id_of(scenario, "bone", coarse.patient.edge_mm), bones.front());
+  for (std::size_t i = 1; i < bones.size(); ++i) {
+    const double further_mm = coarse.further_bones[i - 1].edge_mm;
+    view.further.push_back(bone_in_view(id_of(scenario, bones[i].name, further_mm), bones[i]));
+  }
   const double neighbour_mm = std::max(scenarios::neighbour_edge_mm, edge_mm);
-  view.neighbour = bone_in_view(id_of(scenario, "neighbour", neighbour_mm),
-                                scenarios::neighbour_of(scenario, neighbour_mm));
-  const simulator::Bvh bvh(view.bone.mesh.solid.mesh);
-  for (const PlannedCut& cut : plan.cuts) view.faces.push_back(face_in_view(view.bone, bvh, cut));
-  for (std::size_t cut = 0; cut < plan.cuts.size(); ++cut)
-    view.passes.push_back(passes_in_view(coarse, plan, cut, view.bone.mesh.solid, bvh));
+  if (const auto neighbour = scenarios::neighbour_of(scenario, neighbour_mm))
+    view.neighbour = bone_in_view(id_of(scenario, "neighbour", neighbour_mm), *neighbour);
+  add_cuts(view, coarse, plan);
   view.blade = scenario.saw.blade;
   return view;
 }
@@ -108,7 +129,9 @@ Ball ball_around(const Ball& a, const Ball& b) {
 /// What the picture is about.
 Ball shown_in(const PatientView& view, PatientPicture picture) {
   Ball shown = ball_around(view.bone);
-  if (picture == PatientPicture::Pair) return ball_around(shown, ball_around(view.neighbour));
+  for (const BoneInView& further : view.further) shown = ball_around(shown, ball_around(further));
+  if (picture == PatientPicture::Pair && view.neighbour)
+    return ball_around(shown, ball_around(*view.neighbour));
   if (picture == PatientPicture::Whole || view.faces.empty()) return shown;
   const FaceInView& face = view.faces.front();
   shown.middle_in_world_mm =
@@ -130,7 +153,9 @@ Scene scene_of(const PatientView& view, PatientPicture picture, Ground ground) {
     shown.presence = presence;
   };
   add(view.bone, 1.0);
-  add(view.neighbour, picture == PatientPicture::Pair ? 1.0 : neighbour_presence);
+  for (const BoneInView& further : view.further) add(further, 1.0);
+  if (view.neighbour)
+    add(*view.neighbour, picture == PatientPicture::Pair ? 1.0 : neighbour_presence);
   for (const FaceInView& face : view.faces) {
     if (scene.planes.size() == lines_at_most) break;
     scene.planes.push_back({face.world_from_plane, face.half_mm});

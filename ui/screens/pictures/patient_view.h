@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,7 +33,12 @@ struct FaceInView {
 
 struct PatientView {
   std::string scenario_name;
-  BoneInView bone, neighbour;
+  /// That is operated on first.
+  BoneInView bone;
+  /// Further bones that are operated on.
+  std::vector<BoneInView> further;
+  /// Nothing where it is one of them.
+  std::optional<BoneInView> neighbour;
   /// By cut, as the scenario lists them.
   std::vector<FaceInView> faces;
   simulator::Blade blade;
@@ -44,7 +50,7 @@ struct PatientView {
 inline constexpr double picture_edge_mm = 0.45;
 
 /// Builds it: a job's work (about two seconds). The edges are at least `edge_mm` long.
-/// errors  ScenarioError, as scenarios::make_patient and plan_on; Cancelled where progress said so
+/// errors  ScenarioError, as make_patient_bones and plan_on; Cancelled where progress said so
 /// thread  any; no graphics
 PatientView make_patient_view(const scenarios::Scenario& scenario, const Progress& progress = {},
                               double edge_mm = picture_edge_mm);

@@ -56,11 +56,14 @@ PlannedFace planned_face(const simulator::CutSolid& solid, const simulator::Bvh&
   return face;
 }
 
-std::vector<PlannedFace> planned_faces(const simulator::CutSolid& solid, const simulator::Bvh& tree,
-                                       const scenarios::Plan& plan) {
+std::vector<PlannedFace> planned_faces(std::span<const simulator::SolidWithTree> wholes,
+                                       const scenarios::Plan& plan, const simulator::Bones& bones) {
   std::vector<PlannedFace> faces;
   for (const scenarios::PlannedCut& cut : plan.cuts) {
-    faces.push_back(planned_face(solid, tree, bone_from_planned(cut), cut.depth_point_in_bone_mm));
+    const simulator::SolidWithTree& whole = wholes[cut.bone];
+    PlannedFace& face = faces.emplace_back(
+        planned_face(whole.solid, whole.bvh, bone_from_planned(cut), cut.depth_point_in_bone_mm));
+    if (cut.bone != 0) face.bone_from_face = first_from(bones, cut.bone) * face.bone_from_face;
   }
   return faces;
 }

@@ -1,10 +1,13 @@
 /// A planned face as a frame to draw it in, as far as it lies in the bone.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "scenarios/plan.h"
 #include "simulator/base/transform.h"
-#include "simulator/cutting/pieces/cut_solid.h"
-#include "simulator/mesh/bvh.h"
+#include "simulator/bone/cut_bone.h"
+#include "simulator/mesh/bones.h"
 
 namespace hallux::ui {
 
@@ -27,8 +30,9 @@ struct PlannedFace {
 /// needs   tree was built over solid.mesh
 PlannedFace planned_face(const simulator::CutSolid& solid, const simulator::Bvh& tree,
                          const RigidTransform& bone_from_plane, const Vec3& place_in_bone_mm);
-/// The same of each cut of a plan, in its order.
-std::vector<PlannedFace> planned_faces(const simulator::CutSolid& solid, const simulator::Bvh& tree,
-                                       const scenarios::Plan& plan);
+/// The same of each cut of a plan, in its order, said in the frame of the first bone.
+/// wholes  by bone, as they were
+std::vector<PlannedFace> planned_faces(std::span<const simulator::SolidWithTree> wholes,
+                                       const scenarios::Plan& plan, const simulator::Bones& bones);
 
 }  // namespace hallux::ui

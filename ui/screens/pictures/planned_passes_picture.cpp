@@ -18,6 +18,15 @@ std::string tenths_text(double value_mm) {
   return said;
 }
 
+/// What a section of one bone is compared with.
+scenarios::Plan on_bone(scenarios::Plan plan, std::size_t bone) {
+  const auto is_elsewhere = [bone](const auto& part) { return part.bone != bone; };
+  std::erase_if(plan.cuts, is_elsewhere);
+  std::erase_if(plan.hinges, is_elsewhere);
+  std::erase_if(plan.danger_zones, is_elsewhere);
+  return plan;
+}
+
 }  // namespace
 
 PassesInView passes_in_view(const scenarios::Scenario& scenario, const scenarios::Plan& plan,
@@ -33,8 +42,9 @@ PassesInView passes_in_view(const scenarios::Scenario& scenario, const scenarios
       blade.kerf_mm};
   const RigidTransform first{Quat(1.0, 0.0, 0.0, 0.0), Vec3(0.0, planned.middles_mm.front(), 0.0)};
   PassesInView passes;
+  const scenarios::Plan beside = on_bone(plan, face.bone);
   passes.section = blade_section(kerf_section(whole, tree, {plane, {}}),
-                                 plane.bone_from_kerf * first, blade, &plan);
+                                 plane.bone_from_kerf * first, blade, &beside);
   passes.blade_width_mm = blade.width_mm;
   passes.bone_width_mm = planned.high_mm - planned.low_mm;
   passes.middles_mm = planned.middles_mm;

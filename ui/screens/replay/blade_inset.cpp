@@ -30,9 +30,10 @@ bool is_moved(const RigidTransform& bone_from_plane, const RigidTransform& bone_
 /// The hinge of the planned cut that the blade lies in.
 const scenarios::PlannedHinge* hinge_at(const scenarios::Plan& plan,
                                         const RigidTransform& bone_from_tool, double kerf_mm) {
-  if (plan.cuts.empty()) return nullptr;
   const simulator::KerfPlane plane{bone_from_tool, kerf_mm};
-  const scenarios::PlannedCut& cut = plan.cuts[nearest_cut(plane, plan)];
+  const std::size_t nearest = nearest_cut(plane, plan);
+  if (nearest == plan.cuts.size()) return nullptr;
+  const scenarios::PlannedCut& cut = plan.cuts[nearest];
   return misfit(plane, cut) < same_cut_misfit ? find_hinge(plan, cut.hinge) : nullptr;
 }
 

@@ -6,21 +6,31 @@
 
 namespace hallux::ui {
 
+namespace {
+
+const BoneLook& look_of_fragment(const HistoryPicture& picture,
+                                 const simulator::BoneHistory& history, std::size_t fragment) {
+  return picture.looks[static_cast<std::size_t>(history.fragments[fragment].origin.bone)];
+}
+
+}  // namespace
+
 std::shared_ptr<const HistoryPicture> picture_of(
-    std::shared_ptr<const simulator::BoneHistory> history, BoneLook look, const std::string& name,
-    const Progress& progress) {
+    std::shared_ptr<const simulator::BoneHistory> history, std::vector<BoneLook> looks,
+    const std::string& name, const Progress& progress) {
   auto picture = std::make_shared<HistoryPicture>();
-  picture->look = std::move(look);
+  picture->looks = std::move(looks);
   double count = 0.0, made = 0.0;
   for (const simulator::FragmentHistory& fragment : history->fragments)
     count += static_cast<double>(fragment.stretches.size());
   for (std::size_t i = 0; i < history->fragments.size(); ++i) {
     std::vector<BoneMesh>& meshes = picture->stretches.emplace_back();
+    const BoneLook& look = look_of_fragment(*picture, *history, i);
     for (const simulator::BoneStretch& stretch : history->fragments[i].stretches) {
       report(progress, made++ / count);
       const std::string part =
           " fragment " + std::to_string(i) + " from " + std::to_string(stretch.from_tick);
-      meshes.push_back(lit_mesh_of(picture_id(name + part), stretch.solid, picture->look));
+      meshes.push_back(lit_mesh_of(picture_id(name + part), stretch.solid, look));
     }
   }
   picture->history = std::move(history);
@@ -35,7 +45,7 @@ std::vector<BoneInScene> bones_of(const HistoryPicture& picture,
     if (!fragment.is_there()) continue;
     BoneInScene& bone = bones.emplace_back();
     bone.mesh = &picture.stretches[static_cast<std::size_t>(number)][fragment.stretch()];
-    bone.look = &picture.look;
+    bone.look = &look_of_fragment(picture, *picture.history, static_cast<std::size_t>(number));
     bone.world_from_bone = moment.world_from_fragment(number);
     bone.patch = fragment.patch();
     if (bone.patch != nullptr) bone.patch_revision = moment.revision_of(number);

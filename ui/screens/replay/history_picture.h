@@ -15,18 +15,19 @@ namespace hallux::ui {
 /// Never changes once it was made.
 struct HistoryPicture {
   std::shared_ptr<const simulator::BoneHistory> history;
-  BoneLook look;
+  /// By bone.
+  std::vector<BoneLook> looks;
   /// By fragment, one for each of its stretches.
   std::vector<std::vector<BoneMesh>> stretches;
 };
 
-/// look    of the bone
+/// looks   of the bones
 /// name    another attempt, or another length of it, has another
 /// errors  Cancelled
 /// thread  work's
 std::shared_ptr<const HistoryPicture> picture_of(
-    std::shared_ptr<const simulator::BoneHistory> history, BoneLook look, const std::string& name,
-    const Progress& progress = {});
+    std::shared_ptr<const simulator::BoneHistory> history, std::vector<BoneLook> looks,
+    const std::string& name, const Progress& progress = {});
 
 /// The fragments at a moment of that history as bones of a scene; they borrow both.
 std::vector<BoneInScene> bones_of(const HistoryPicture& picture,

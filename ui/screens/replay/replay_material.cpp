@@ -8,8 +8,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <deque>
 #include <functional>
 
+#include "scenarios/site/plan_in_first.h"
 #include "scenarios/tray/laid_out_tools.h"
 #include "simulator/base/progress.h"
 #include "simulator/base/units.h"
@@ -40,10 +42,13 @@ constexpr double made_share = 0.75;
 constexpr std::array stage_ends{0.1, 0.8, 1.0};
 constexpr std::size_t track_points = 2400;
 constexpr std::size_t speed_ticks = 20;
-void measure_bone(ReplayMaterial& material, const simulator::Bone& bone) {
-  material.world_from_bone = bone.world_from_bone;
-  Vec3 low = bone.outer.points_mm.front(), high = low;
-  for (const Vec3& point : bone.outer.points_mm) {
+
+/// Of all bones, in the frame of the first.
+void measure_bones(ReplayMaterial& material, const simulator::Bones& bones) {
+  material.world_from_bone = bones.first().world_from_bone;
+  const simulator::IndexedMesh outsides = outsides_of(bones);
+  Vec3 low = outsides.points_mm.front(), high = low;
+  for (const Vec3& point : outsides.points_mm) {
     low = glm::min(low, point);
     high = glm::max(high, point);
   }
@@ -82,25 +87,41 @@ struct ReplayOrder {
   FollowKerfs follow;
 };
 
+/// Of the bones as they were before anything was cut.
+std::vector<PlannedFace> faces_of(const HistoryPicture& picture, const scenarios::Plan& plan,
+                                  const simulator::Bones& bones) {
+  std::deque<simulator::Bvh> trees;
+  std::vector<simulator::SolidWithTree> wholes;
+  for (std::size_t bone = 0; bone < bones.size(); ++bone) {
+    const simulator::CutSolid& whole = picture.stretches[bone].front().solid;
+    wholes.push_back({whole, trees.emplace_back(whole.mesh)});
+  }
+  return planned_faces(wholes, plan, bones);
+}
+
 /// The rest of the material, whose header, rights, card and views are there.
 void complete(ReplayMaterial& material, ReplayOrder order, const Progress& reached) {
   AttemptMaterial& attempt = order.attempt;
-  material.plan = plan_on(attempt.scenario, attempt.bone);
+  const scenarios::Plan plan = plan_on(attempt.scenario, attempt.bones);
+  material.plan = plan_in_first(plan, attempt.bones);
   material.tray = scenarios::tray_of(attempt.scenario);
-  measure_bone(material, attempt.bone);
+  measure_bones(material, attempt.bones);
   cancelled_as(stopped, [&] {
     assessment::OpenedFields opened = order.follow(attempt, part_of(reached, 0.0, follow_share));
-    BoneLook look =
-        cached_look_of(order.directory, attempt.bone, part_of(reached, follow_share, look_share));
-    auto history = simulator::build_history({attempt.bone, attempt.recording, std::move(opened),
-                                             planned_bridges(material.plan), material.tray},
-                                            part_of(reached, look_share, history_share));
-    material.bone = picture_of(std::move(history), std::move(look), order.name,
+    std::vector<BoneLook> looks;
+    const double share = (look_share - follow_share) / static_cast<double>(attempt.bones.size());
+    for (const simulator::Bone& bone : attempt.bones) {
+      const double begin = follow_share + share * static_cast<double>(looks.size());
+      looks.push_back(
+          cached_look_of(order.directory, bone, part_of(reached, begin, begin + share)));
+    }
+    auto history = simulator::build_history(
+        {attempt.bones, attempt.recording, std::move(opened), planned_bridges(plan), material.tray},
+        part_of(reached, look_share, history_share));
+    material.bone = picture_of(std::move(history), std::move(looks), order.name,
                                part_of(reached, history_share, 1.0));
   });
-  const simulator::CutSolid& whole = material.bone->stretches.front().front().solid;
-  const simulator::Bvh tree(whole.mesh);
-  material.faces = planned_faces(whole, tree, material.plan);
+  material.faces = faces_of(*material.bone, plan, attempt.bones);
   material.events = events_of(attempt.recording);
   material.duration_s = duration_s_of(attempt.recording);
   material.steps = steps_of(attempt.recording, attempt.scenario, material.duration_s);
@@ -127,7 +148,10 @@ ToPlan hand_to_plan(const ReplayMaterial& material, const ToolAtMoment& tool,
       const auto& fragments = material.bone->history->fragments;
       const bool is_known = fragment < fragments.size() && fragments[fragment].whole != nullptr;
       if (!is_known) return {};
-      return piece_moved(bone_from_tool,
+      const auto bone = static_cast<std::size_t>(fragments[fragment].origin.bone);
+      const RigidTransform own_from_first =
+          inverse(material.bone->history->world_from_bones[bone]) * material.world_from_bone;
+      return piece_moved(own_from_first * bone_from_tool,
                          simulator::centroid_of(fragments[fragment].whole->solid.mesh));
     }
     case HeldTool::Saw:
@@ -180,8 +204,8 @@ std::shared_ptr<const ReplayMaterial> make_replay(const scenarios::Scenario& sce
   material->header = made.material.header;
   material->card = std::move(made.card);
   const FollowKerfs follow = [](const AttemptMaterial& attempt, const Progress& progress) {
-    return assessment::opened_fields(scenarios::tray_of(attempt.scenario),
-                                     attempt.bone.world_from_bone, attempt.recording, progress);
+    return assessment::opened_fields(scenarios::tray_of(attempt.scenario), attempt.bones,
+                                     attempt.recording, progress);
   };
   const std::string name = "replay made " + std::to_string(picture_id(scenario.text));
   complete(*material, {std::move(made.material), directory, name, follow},

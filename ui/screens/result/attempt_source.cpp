@@ -40,10 +40,9 @@ assessment::Examination stamped_examination_of(const AttemptSource& source,
   const Progress reached = progress("Examining");
   assessment::Measured measured{
       *source.measurements,
-      assessment::opened_fields(scenarios::tray_of(material.scenario),
-                                material.bone.world_from_bone, material.recording,
-                                part_of(reached, 0.0, stamped_share))};
-  return assessment::examine_measured(material.scenario, material.bone, material.recording,
+      assessment::opened_fields(scenarios::tray_of(material.scenario), material.bones,
+                                material.recording, part_of(reached, 0.0, stamped_share))};
+  return assessment::examine_measured(material.scenario, material.bones, material.recording,
                                       material.header.begun.device_class, std::move(measured),
                                       part_of(reached, stamped_share, 1.0));
 }

@@ -62,14 +62,14 @@ void PlanCard::aim(const ExaminedAttempt& examined) {
   aimed_ = chosen_;
   ++revision_;
   if (is_whole(examined)) {
-    stage_.look_at(transform_point(examined.world_from_bone, examined.middle_in_bone_mm),
-                   0.85 * examined.radius_mm, StandardView::Operator);
+    stage_.look_at(examined.middle_in_world_mm, 0.85 * examined.radius_mm, StandardView::Operator);
     return;
   }
   const CutAgainstPlan& cut = examined.cuts[static_cast<std::size_t>(chosen_)];
-  const RigidTransform world_from_face = examined.world_from_bone * cut.bone_from_face;
+  const RigidTransform& world_from_bone = examined.world_from_bones[cut.bone];
+  const RigidTransform world_from_face = world_from_bone * cut.bone_from_face;
   stage_.set_blade(world_from_face);
-  stage_.look_at(transform_point(examined.world_from_bone, cut.middle_in_bone_mm),
+  stage_.look_at(transform_point(world_from_bone, cut.middle_in_bone_mm),
                  room_around * cut.radius_mm, view_of_face(world_from_face));
 }
 
@@ -77,14 +77,15 @@ Scene PlanCard::scene_of(const Theme& theme, const ExaminedAttempt& examined) co
   Scene scene;
   scene.ground = theme.is_dark() ? Ground::Dark : Ground::Light;
   const bool shows_whole = is_whole(examined);
-  for (const BoneMesh& piece : examined.pieces) {
+  for (std::size_t i = 0; i < examined.pieces.size(); ++i) {
+    const std::size_t of_bone = examined.piece_bones[i];
     BoneInScene bone;
-    bone.mesh = &piece;
-    bone.look = &examined.look;
-    bone.world_from_bone = examined.world_from_bone;
+    bone.mesh = &examined.pieces[i];
+    bone.look = &examined.looks[of_bone];
+    bone.world_from_bone = examined.world_from_bones[of_bone];
     if (!shows_whole) {
       const CutAgainstPlan& cut = examined.cuts[static_cast<std::size_t>(chosen_)];
-      if (cut.is_cut) {
+      if (cut.is_cut && cut.bone == of_bone) {
         bone.map = cut.map;
         bone.cut_away = cut.cut_away;
       }
@@ -94,12 +95,12 @@ Scene PlanCard::scene_of(const Theme& theme, const ExaminedAttempt& examined) co
   for (std::size_t i = 0; i < examined.cuts.size(); ++i) {
     if (!shows_whole && static_cast<int>(i) != chosen_) continue;
     const CutAgainstPlan& cut = examined.cuts[i];
-    scene.planes.push_back({examined.world_from_bone * cut.bone_from_face,
+    scene.planes.push_back({examined.world_from_bones[cut.bone] * cut.bone_from_face,
                             Vec2(1.15 * cut.radius_mm), Ink::Reference, false, false});
   }
   if (place_in_bone_mm_) {
     scene.marks.push_back(
-        {transform_point(examined.world_from_bone, *place_in_bone_mm_), 7.0, Ink::Harm});
+        {transform_point(examined.world_from_bones.front(), *place_in_bone_mm_), 7.0, Ink::Harm});
   }
   return scene;
 }
@@ -117,11 +118,12 @@ void PlanCard::draw_choice(Ui& ui, const Rect& rect, const ExaminedAttempt& exam
 
 void PlanCard::draw_labels(Ui& ui, const Rect& rect, const ExaminedAttempt& examined) const {
   const CutAgainstPlan& cut = examined.cuts[static_cast<std::size_t>(chosen_)];
+  const RigidTransform& world_from_bone = examined.world_from_bones[cut.bone];
   const ClipScope clip(ui.canvas(), rect);
   for (const IsoPlace& iso : cut.iso_places) {
     std::optional<Point> rightmost;
     for (const Vec3& place : iso.places_in_bone_mm) {
-      const auto seen = stage_.seen_at(transform_point(examined.world_from_bone, place));
+      const auto seen = stage_.seen_at(transform_point(world_from_bone, place));
       if (seen && (!rightmost || seen->x > rightmost->x)) rightmost = seen;
     }
     if (!rightmost) continue;

@@ -28,7 +28,7 @@ using database::AttemptState;
 using scenarios::PlannedCut;
 
 /// Shares of the time, as measured: reading, scoring, and what is drawn.
-constexpr double read_share = 0.1, score_share = 0.55, effects_share = 0.75;
+constexpr double read_share = 0.1, score_share = 0.55, effects_share = 0.75, look_share = 0.2;
 /// The map is cut open this far beyond the face, so that the face itself stays.
 constexpr double open_beyond_mm = 0.02;
 /// About one for each pixel of a wide window.
@@ -123,6 +123,7 @@ void map_face(CutAgainstPlan& against, const PlannedCut& cut, const CutFace& fac
 CutAgainstPlan against_plan(const Examination& examination, std::size_t index) {
   const PlannedCut& cut = examination.plan.cuts[index];
   CutAgainstPlan against;
+  against.bone = cut.bone;
   against.bone_from_face = bone_from_planned(cut);
   against.middle_in_bone_mm = against.bone_from_face.translation_mm;
   const std::vector<CutFace>& faces = examination.faces[index];
@@ -144,25 +145,41 @@ void light_pieces(std::vector<BoneMesh>& pieces) {
   }
 }
 
+/// Of all bones, where they lay.
+std::vector<Vec3> points_in_world_mm(const simulator::Bones& bones) {
+  std::vector<Vec3> points_mm;
+  for (const simulator::Bone& bone : bones) {
+    for (const Vec3& point_mm : bone.outer.points_mm)
+      points_mm.push_back(transform_point(bone.world_from_bone, point_mm));
+  }
+  return points_mm;
+}
+
 void add_pictures(ExaminedAttempt& examined, const AttemptSource& loaded,
                   const Examination& examination, WorkReport& report) {
   const AttemptMaterial& material = loaded.attempt;
   const std::string name = "result " + material.header.id.text + " " +
                            std::to_string(material.recording.samples.size()) + " ";
-  examined.look = cancelled_as("stopped before the bone was drawn", [&] {
-    return cached_look_of(loaded.directory, material.bone, [&](double fraction) {
-      return report.reached(effects_share + 0.2 * fraction);
-    });
-  });
-  std::size_t number = 0;
-  for (const simulator::CutSolid& piece : examination.rebuilt.pieces) {
-    examined.pieces.push_back(
-        mesh_of(picture_id(name + std::to_string(number++)), piece, examined.look));
+  const Progress whole = [&](double fraction) { return report.reached(fraction); };
+  const double share = look_share / static_cast<double>(material.bones.size());
+  double reached = effects_share;
+  for (const simulator::Bone& bone : material.bones) {
+    examined.world_from_bones.push_back(bone.world_from_bone);
+    examined.looks.push_back(cancelled_as("stopped before the bone was drawn", [&] {
+      return cached_look_of(loaded.directory, bone, part_of(whole, reached, reached + share));
+    }));
+    reached += share;
+  }
+  examined.piece_bones = examination.rebuilt.piece_bones;
+  for (std::size_t number = 0; number < examination.rebuilt.pieces.size(); ++number) {
+    examined.pieces.push_back(mesh_of(picture_id(name + std::to_string(number)),
+                                      examination.rebuilt.pieces[number],
+                                      examined.looks[examined.piece_bones[number]]));
   }
   light_pieces(examined.pieces);
-  const std::vector<Vec3>& points = material.bone.outer.points_mm;
-  examined.middle_in_bone_mm = mean_of(points);
-  examined.radius_mm = std::max(1.0, reach_from(examined.middle_in_bone_mm, points));
+  const std::vector<Vec3> points_mm = points_in_world_mm(material.bones);
+  examined.middle_in_world_mm = mean_of(points_mm);
+  examined.radius_mm = std::max(1.0, reach_from(examined.middle_in_world_mm, points_mm));
 }
 
 EffectFacts effects_of(const AttemptMaterial& material, const Examination& examination,
@@ -170,7 +187,7 @@ EffectFacts effects_of(const AttemptMaterial& material, const Examination& exami
   EffectFacts effects;
   effects.traces = cancelled_as("stopped before the heat was followed", [&] {
     return traces_of(
-        material.recording, material.bone,
+        material.recording, material.bones,
         material.header.begun.guidance != simulator::Guidance::None, examination.rebuilt.fields,
         trace_points, [&](double fraction) {
           return report.reached(score_share + (effects_share - score_share) * fraction);
@@ -224,7 +241,6 @@ std::shared_ptr<const ExaminedAttempt> examine_attempt(SignedInSession& signed_i
   const Examination examination = examination_of(loaded, stages_on(report));
   auto examined = std::make_shared<ExaminedAttempt>();
   examined->card = examination.card;
-  examined->world_from_bone = material.bone.world_from_bone;
   for (std::size_t cut = 0; cut < examination.plan.cuts.size(); ++cut) {
     examined->cuts.push_back(against_plan(examination, cut));
   }

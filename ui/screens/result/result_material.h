@@ -52,8 +52,10 @@ struct IsoPlace {
   std::vector<Vec3> places_in_bone_mm;
 };
 
-/// One planned cut against what was cut.
+/// One planned cut against what was cut, in the frame of its bone.
 struct CutAgainstPlan {
+  /// Of the patient's bones.
+  std::size_t bone = 0;
   /// Middle of the planned face, z towards the waste.
   RigidTransform bone_from_face;
   /// Of its outline.
@@ -83,13 +85,15 @@ struct ExaminedAttempt {
   database::ScoreCard card;
   /// The card, because the store had none.
   bool was_stored = false;
-  RigidTransform world_from_bone;
-  BoneLook look;
-  /// Largest first.
+  /// Where each bone lies, and how it looks.
+  std::vector<RigidTransform> world_from_bones;
+  std::vector<BoneLook> looks;
+  /// Largest first of each bone.
   std::vector<BoneMesh> pieces;
+  std::vector<std::size_t> piece_bones;
   /// In the plan's order.
   std::vector<CutAgainstPlan> cuts;
-  Vec3 middle_in_bone_mm{0.0, 0.0, 0.0};
+  Vec3 middle_in_world_mm{0.0, 0.0, 0.0};
   double radius_mm = 30.0;
   EffectFacts effects;
 };

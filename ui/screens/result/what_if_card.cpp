@@ -32,7 +32,7 @@ SaidWhatIf worked_out(SignedInSession& signed_in, const database::AttemptId& att
   const auto examining = [&](const std::string&) {
     return part_of(reached, read_share, examined_share);
   };
-  const assessment::WhatIf what_if(material.scenario, material.bone, material.recording,
+  const assessment::WhatIf what_if(material.scenario, material.bones, material.recording,
                                    material.header.begun.device_class,
                                    stamped_examination_of(source, examining));
   return said_what_if(what_if.propose(part_of(reached, examined_share, 1.0)), material.scenario,

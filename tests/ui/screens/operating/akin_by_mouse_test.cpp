@@ -42,14 +42,14 @@ class AkinByMouse : public testing::Test {
  protected:
   AkinByMouse() {
     prepared_case_ = course_.prepared_case(*course_.visit_of_ada());
-    const scenarios::KnownBone known(prepared_case_->bone);
+    const scenarios::KnownBones known(prepared_case_->bones);
     aimed_ = scenarios::aim(prepared_case_->scenario, prepared_case_->plan, known, exact_hand(), 1);
     person_.begin();
     person_.press(Key::Digit3);
   }
 
   RigidTransform world_from_kerf(const scenarios::AimedCut& cut) const {
-    return prepared_case_->bone.world_from_bone * cut.plane.bone_from_kerf;
+    return prepared_case_->bone().world_from_bone * cut.plane.bone_from_kerf;
   }
   /// Of the blade in the plane of the cut: how far it was fed, and where along its tooth line.
   static RigidTransform world_from_blade(const RigidTransform& world_from_kerf, double feed_mm,

@@ -21,7 +21,7 @@ int count_of(const VirtualOperation& operation, CutEventKind kind) {
 std::vector<double> deeds_of(const VirtualOperation& operation) {
   const PreparedCase& prepared = operation.prepared_case();
   const assessment::Examination examination =
-      assessment::assess_fully(prepared.scenario, prepared.bone, operation.recording(), "mouse");
+      assessment::assess_fully(prepared.scenario, prepared.bones, operation.recording(), "mouse");
   std::vector<double> deeds;
   for (const assessment::Measurement& made : examination.measurements)
     if (made.metric == "piece_out" || made.metric == "wedge_closed") deeds.push_back(made.value);

@@ -127,7 +127,7 @@ Strokes strokes(const PreparedCase& prepared_case) {
     const Vec3 tip_mm = cut.entry_point_in_bone_mm + beside_mm * normal + deep_mm * feed +
                         along_teeth_mm * glm::cross(normal, feed);
     made.motion.keys.push_back(
-        {tick, prepared_case.bone.world_from_bone * RigidTransform{rotation, tip_mm},
+        {tick, prepared_case.bone().world_from_bone * RigidTransform{rotation, tip_mm},
          bit(simulator::Switch::SawRuns)});
   };
   constexpr double outermost_mm = 4.0;
@@ -162,7 +162,7 @@ class LongSawing : public testing::Test {
       LiveBegin what;
       what.scenario = course_.version();
       what.person = signed_in_->person().id;
-      return begin_live(database, desk, what, prepared_case_->bone);
+      return begin_live(database, desk, what, prepared_case_->bones);
     });
   }
   void follow(BoneBeingCut& shown) {
@@ -197,9 +197,9 @@ TEST_F(LongSawing, TakesNoMoreMemoryTheLongerItLasts) {
   ::mallopt(M_ARENA_MAX, 1);
   ::mallopt(M_MMAP_THRESHOLD, 1 << 20);
   const simulator::SimulationSetup simulated =
-      simulation_setup(prepared_case_->scenario, prepared_case_->bone, prepared_case_->plan,
+      simulation_setup(prepared_case_->scenario, prepared_case_->bones, prepared_case_->plan,
                        simulator::Guidance::None);
-  WaitedJobs jobs(*prepared_case_->whole, simulated);
+  WaitedJobs jobs(*prepared_case_->wholes.front(), simulated);
   simulator::AttemptSetup setup{simulated};
   setup.watch = &watch_;
   setup.job_runner = &jobs;
@@ -209,7 +209,7 @@ TEST_F(LongSawing, TakesNoMoreMemoryTheLongerItLasts) {
   simulator::ScriptedDevice device(sawn.motion);
   database::Recorder recorder(course_.course().database(), begin(), channels_);
   BoneBeingCut shown(recorder.attempt().text, *prepared_case_, watch_,
-                     picture_of(prepared_case_, course_.course().database().directory()));
+                     pictures_of(prepared_case_, course_.course().database().directory()));
 
   std::vector<MemoryUse> looks;
   const auto progress = [&](double fraction) {

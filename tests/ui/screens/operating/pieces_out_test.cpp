@@ -130,7 +130,7 @@ TEST_P(ACrumbAlone, IsSawnOnFromAndGoesWithThePiece) {
   EXPECT_EQ(removed[1].subject, 1);
   const PreparedCase& prepared = forked_.operation.prepared_case();
   const assessment::Examination examination = assessment::assess_fully(
-      prepared.scenario, prepared.bone, forked_.operation.recording(), "mouse");
+      prepared.scenario, prepared.bones, forked_.operation.recording(), "mouse");
   EXPECT_EQ(assessment::find_measurement(examination.measurements, "piece_out", "across")->value,
             1.0);
 }

@@ -10,6 +10,7 @@
 #include "scenarios/tray/laid_out_tools.h"
 #include "simulator/record/sample_force.h"
 #include "ui/screens/operating/hand/start_place.h"
+#include "ui/screens/operating/operation_work.h"
 
 namespace hallux::ui {
 
@@ -40,18 +41,17 @@ VirtualOperation::VirtualOperation(PreparedCase prepared, database::AttemptKind 
 VirtualOperation::VirtualOperation(PreparedCase prepared, std::optional<StepProgress> steps,
                                    database::AttemptKind kind)
     : prepared_(std::move(prepared)),
-      setup_(simulation_setup(prepared_.scenario, prepared_.bone, prepared_.plan,
+      setup_(simulation_setup(prepared_.scenario, prepared_.bones, prepared_.plan,
                               simulator::Guidance::None)),
-      tissue_(prepared_.bone),
-      simulation_(tissue_, setup_),
-      jobs_(prepared_.bone, setup_.tray, setup_.bridges),
-      cut_({*prepared_.whole, prepared_.bone.world_from_bone}, setup_.tray, setup_.bridges),
+      tissues_(setup_.bones()),
+      wholes_(setup_),
+      simulation_(tissues_.all(), setup_),
+      jobs_(wholes_.all(), setup_.tray, setup_.bridges),
+      cut_(wholes_.all(), setup_.tray, setup_.bridges),
       survey_(prepared_),
       mouse_(start_pose(prepared_)),
       session_(kind) {
-  const auto& [whole, tree] = *prepared_.whole;
-  for (std::size_t cut = 0; cut < prepared_.plan.cuts.size(); ++cut)
-    passes_.push_back(planned_passes(prepared_.scenario, prepared_.plan, cut, whole, tree));
+  passes_ = passes_of(prepared_);
   world_from_view = start_camera(prepared_).world_from_view;
   session_.make_ready(steps ? std::move(*steps) : StepProgress(prepared_.scenario),
                       LedSaw(start_pose(prepared_), start_camera(prepared_).target_mm),

@@ -62,7 +62,8 @@ class VirtualOperation final : private CommandControls {
   const Texts texts_ = english_texts();
   const PreparedCase prepared_;
   const simulator::SimulationSetup setup_;
-  const simulator::TissueMap tissue_;
+  const simulator::TissueMaps tissues_;
+  const simulator::WholeBones wholes_;
   simulator::Simulation simulation_;
   simulator::ImmediateJobs jobs_;
   simulator::LiveCut cut_;

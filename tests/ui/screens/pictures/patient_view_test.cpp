@@ -56,8 +56,8 @@ TEST(PatientView, AFaceAlongTheShaftIsShownAtTheHeadOnly) {
 TEST(PatientView, OneContentHasOneName) {
   const PatientView akin = view_of_shipped("akin"), again = view_of_shipped("akin");
   EXPECT_EQ(akin.bone.mesh.id, again.bone.mesh.id);
-  EXPECT_NE(akin.bone.mesh.id, akin.neighbour.mesh.id);
-  EXPECT_NE(akin.bone.mesh.id, view_of_shipped("silver").neighbour.mesh.id);
+  EXPECT_NE(akin.bone.mesh.id, akin.neighbour->mesh.id);
+  EXPECT_NE(akin.bone.mesh.id, view_of_shipped("silver").neighbour->mesh.id);
 }
 
 TEST(PatientView, BuildingItCanBeStopped) {

@@ -25,7 +25,7 @@ constexpr float side = 260.0F, gap = 20.0F;
 /// A scenario's bone, with the blade in the plane of its first cut.
 struct Site {
   scenarios::Scenario scenario;
-  simulator::Bone bone = make_patient(scenario);
+  simulator::Bone bone = make_patient_bones(scenario).front();
   scenarios::Plan plan = plan_on(scenario, bone);
   simulator::CutSolid solid = simulator::uncut_solid(solid_of(bone));
   simulator::Bvh tree{solid.mesh};

@@ -22,7 +22,7 @@ struct World {
     material.header.id = database::AttemptId{"0f5c2a7e-9a44-4a55-b8a5-2f1f1f6d1d11"};
     material.header.begun.engine = operation.recording.engine;
     material.scenario = operation.scenario;
-    material.bone = operation.bone;
+    material.bones = {operation.bone};
     material.recording = operation.recording;
   }
 
@@ -61,8 +61,7 @@ TEST(CachedFields, AnotherRecordingIsNotShownFromThem) {
   EXPECT_LT(half.front().inside_mm.size() + half.back().inside_mm.size(),
             made.front().inside_mm.size() + made.back().inside_mm.size());
   expect_same(half, assessment::opened_fields(world.material.scenario.saw.blade,
-                                              world.material.bone.world_from_bone,
-                                              world.material.recording));
+                                              world.material.bones, world.material.recording));
 }
 
 TEST(CachedFields, ADeletedOrDamagedFileIsMadeAgain) {

@@ -17,11 +17,11 @@ struct World {
     plan = plan_on(operation.scenario, operation.bone);
     history = simulator::build_history(
         {operation.bone, operation.recording, opened(), scenarios::planned_bridges(plan)});
-    picture = picture_of(history, look_of(1, operation.bone), "test");
+    picture = picture_of(history, {look_of(1, operation.bone)}, "test");
   }
 
   assessment::OpenedFields opened() const {
-    return assessment::opened_fields(operation.scenario.saw.blade, operation.bone.world_from_bone,
+    return assessment::opened_fields(operation.scenario.saw.blade, operation.bone,
                                      operation.recording);
   }
 
@@ -158,7 +158,7 @@ TEST(HistoryPicture, ARecordingWithoutACutShowsTheWholeBone) {
   for (auto& sample : world.operation.recording.samples) sample.kerf = -1;
   const auto history = simulator::build_history(
       {world.operation.bone, world.operation.recording, world.opened(), {}});
-  const auto picture = picture_of(history, look_of(1, world.operation.bone), "uncut");
+  const auto picture = picture_of(history, {look_of(1, world.operation.bone)}, "uncut");
   simulator::BoneMoment moment(*history);
   moment.move_to(300);
   const std::vector<BoneInScene> bones = bones_of(*picture, moment);

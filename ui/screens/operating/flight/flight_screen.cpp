@@ -151,7 +151,7 @@ std::vector<Mark> FlightScreen::goals(const Texts& texts) const {
   const bool is_reaching =
       block_->field.is_running() && !lessons_.are_over() && lessons_.at_hand() == Lesson::Approach;
   if (!is_reaching) return {};
-  const RigidTransform& world_from_bone = block_->field.prepared_case().bone.world_from_bone;
+  const RigidTransform& world_from_bone = block_->field.prepared_case().bone().world_from_bone;
   return {{transform_point(world_from_bone, place_to_reach_in_bone_mm(view(texts))), 12.0,
            Ink::Accent, MarkShape::Ring}};
 }

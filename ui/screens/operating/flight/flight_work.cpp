@@ -16,14 +16,13 @@ PreparedOperation prepare_flight(SignedInSession& signed_in, WorkReport& report)
       prepare_case(std::move(block.scenario), std::move(block.bone)));
   const PreparedCase& prepared_case = *prepared.prepared_case;
   cancelled_as("stopped while the picture was being made; nothing was stored", [&] {
-    prepared.picture = picture_of(prepared.prepared_case, directory,
-                                  [&](double fraction) { return report.reached(fraction); });
+    prepared.pictures = pictures_of(prepared.prepared_case, directory,
+                                    [&](double fraction) { return report.reached(fraction); });
   });
   SitePicture site;
-  site.faces =
-      planned_faces(prepared.picture.mesh->solid, *prepared.picture.tree, prepared_case.plan);
+  site.faces = faces_of(prepared_case);
   prepared.site = std::make_shared<const SitePicture>(std::move(site));
-  prepared.passes = passes_of(prepared_case, prepared.picture);
+  prepared.passes = passes_of(prepared_case);
   return prepared;
 }
 

@@ -19,7 +19,7 @@ Rail rail_in_world(const RigidTransform& world_from_bone, const Vec3& normal_in_
 Rail planned_rail(const PreparedCase& prepared_case, const scenarios::PlannedCut& cut) {
   // A face is finished bone: the middle of the blade lies half a kerf further into the waste.
   const double half_kerf_mm = 0.5 * blade_of(prepared_case.scenario, cut).kerf_mm;
-  return rail_in_world(prepared_case.bone.world_from_bone, cut.face.normal,
+  return rail_in_world(prepared_case.bone().world_from_bone, cut.face.normal,
                        cut.face.offset_mm + half_kerf_mm);
 }
 
@@ -29,15 +29,15 @@ std::optional<Rail> rail_of_step(const PreparedCase& prepared_case, std::size_t 
                                  const std::vector<scenarios::HeldCut>* held,
                                  std::int32_t in_kerf) {
   const scenarios::PlannedCut* const cut =
-      cut_at_step(prepared_case.scenario, prepared_case.plan, step);
+      cut_at_step(prepared_case.scenario, prepared_case.plan_in_first, step);
   if (cut == nullptr) return std::nullopt;
-  const std::size_t index = index_of_cut(prepared_case.plan, cut->name);
+  const std::size_t index = index_of_cut(prepared_case.plan_in_first, cut->name);
   const bool is_begun = held != nullptr && index < held->size() && (*held)[index].is_begun();
   if (in_kerf >= 0 && (!is_begun || (*held)[index].kerf != in_kerf)) return std::nullopt;
   if (!is_begun) return planned_rail(prepared_case, *cut);
   const RigidTransform bone_from_kerf = (*held)[index].bone_from_kerf_now();
   const Vec3 normal = axis_z(bone_from_kerf);
-  return rail_in_world(prepared_case.bone.world_from_bone, normal,
+  return rail_in_world(prepared_case.bone().world_from_bone, normal,
                        glm::dot(normal, bone_from_kerf.translation_mm));
 }
 

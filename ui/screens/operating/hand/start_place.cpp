@@ -5,11 +5,11 @@
 namespace hallux::ui {
 
 RigidTransform start_pose(const PreparedCase& prepared_case) {
-  return start_pose(prepared_case.scenario, prepared_case.bone, prepared_case.plan);
+  return start_pose(prepared_case.scenario, prepared_case.bones, prepared_case.plan);
 }
 
 Camera start_camera(const PreparedCase& prepared_case) {
-  return start_camera(prepared_case.scenario, prepared_case.bone, prepared_case.plan);
+  return start_camera(prepared_case.scenario, prepared_case.bones, prepared_case.plan);
 }
 
 }  // namespace hallux::ui

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "scenarios/tray/laid_out_tools.h"
@@ -32,32 +33,49 @@ bool is_wanted(const SiteFacts& site, std::int32_t piece) {
 
 }  // namespace
 
-BonePicture picture_of(std::shared_ptr<const PreparedCase> prepared_case,
-                       const std::filesystem::path& data_directory, const Progress& progress) {
-  BonePicture picture;
-  picture.look = cached_look_of(data_directory, prepared_case->bone, progress);
-  // The same bone has the same picture, whoever shows it.
-  const std::uint64_t id = picture_id("whole " + std::to_string(picture.look.id));
-  picture.mesh =
-      std::make_shared<const BoneMesh>(mesh_of(id, prepared_case->whole->solid, picture.look));
-  const Bvh* const tree = &prepared_case->whole->tree;
-  picture.tree = {std::move(prepared_case), tree};
-  return picture;
+BonePictures pictures_of(const std::shared_ptr<const PreparedCase>& prepared_case,
+                         const std::filesystem::path& data_directory, const Progress& progress) {
+  BonePictures pictures;
+  const double share = 1.0 / static_cast<double>(prepared_case->bones.size());
+  for (std::size_t bone = 0; bone < prepared_case->bones.size(); ++bone) {
+    const simulator::WholeBone& whole = *prepared_case->wholes[bone];
+    const double from = share * static_cast<double>(bone);
+    BonePicture& picture = pictures.emplace_back();
+    picture.look = cached_look_of(data_directory, prepared_case->bones[bone],
+                                  part_of(progress, from, from + share));
+    // The same bone has the same picture, whoever shows it.
+    const std::uint64_t id = picture_id("whole " + std::to_string(picture.look.id));
+    picture.mesh = std::make_shared<const BoneMesh>(mesh_of(id, whole.solid, picture.look));
+    picture.tree = {prepared_case, &whole.tree};
+  }
+  return pictures;
 }
 
+namespace {
+
+std::vector<BoneToCut> bones_to_cut(const PreparedCase& prepared_case) {
+  std::vector<BoneToCut> bones;
+  for (std::size_t bone = 0; bone < prepared_case.bones.size(); ++bone)
+    bones.push_back({*prepared_case.wholes[bone], prepared_case.bones[bone].world_from_bone});
+  return bones;
+}
+
+}  // namespace
+
 BoneBeingCut::BoneBeingCut(std::string name, const PreparedCase& prepared_case,
-                           simulator::AttemptWatch& watch, BonePicture picture)
+                           simulator::AttemptWatch& watch, BonePictures pictures)
     : name_(std::move(name)),
-      world_from_bone_(prepared_case.bone.world_from_bone),
-      picture_(std::move(picture)),
+      world_from_bone_(prepared_case.bone().world_from_bone),
+      pictures_(std::move(pictures)),
       watch_(watch),
-      cut_({*prepared_case.whole, prepared_case.bone.world_from_bone},
-           scenarios::tray_of(prepared_case.scenario),
+      cut_(bones_to_cut(prepared_case), scenarios::tray_of(prepared_case.scenario),
            scenarios::planned_bridges(prepared_case.plan)),
-      bodies_{Body{picture_.mesh, picture_.tree}},
       survey_(prepared_case) {
+  for (const BonePicture& picture : pictures_)
+    bodies_.push_back(Body{picture.mesh, picture.tree, &picture.look});
   newest_.bodies = bodies_;
-  newest_.world_from_fragments = {world_from_bone_};
+  for (const simulator::Bone& bone : prepared_case.bones)
+    newest_.world_from_fragments.push_back(bone.world_from_bone);
   thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
 }
 
@@ -82,7 +100,7 @@ void BoneBeingCut::add_to(Scene& scene) {
     if (!body) continue;
     BoneInScene& bone = scene.bones.emplace_back();
     bone.mesh = body->mesh.get();
-    bone.look = &picture_.look;
+    bone.look = body->look;
     bone.world_from_bone = drawn_.world_from_fragments[fragment];
     if (fragment != drawn_.patched || drawn_.patch_revision == 0) continue;
     bone.patch = &drawn_.patch;
@@ -193,9 +211,17 @@ void BoneBeingCut::bring_up_to_date() {
 }
 
 void BoneBeingCut::show_base(PatchBase base) {
-  bodies_[static_cast<std::size_t>(base.fragment)] =
-      base.is_uncut() ? Body{picture_.mesh, picture_.tree}
-                      : lit_body(base.solid, std::move(base.tree));
+  const auto fragment = static_cast<std::size_t>(base.fragment);
+  if (!base.is_uncut()) {
+    bodies_[fragment] = lit_body(base.solid, std::move(base.tree), look_of(base.fragment));
+    return;
+  }
+  const BonePicture& picture = pictures_[fragment];
+  bodies_[fragment] = Body{picture.mesh, picture.tree, &picture.look};
+}
+
+const BoneLook& BoneBeingCut::look_of(std::int32_t fragment) const noexcept {
+  return pictures_[static_cast<std::size_t>(cut_.kerfs().fragments()[fragment].bone)].look;
 }
 
 /// Patch and base come together.
@@ -211,7 +237,8 @@ void BoneBeingCut::show_fragment(const DueFragment& due) {
   const auto fragment = static_cast<std::size_t>(due.fragment);
   bodies_[fragment].reset();
   if (!due.solid.mesh.triangles.empty()) {
-    bodies_[fragment] = lit_body(due.solid, std::make_shared<const Bvh>(due.solid.mesh));
+    bodies_[fragment] =
+        lit_body(due.solid, std::make_shared<const Bvh>(due.solid.mesh), look_of(due.fragment));
   }
   const std::scoped_lock turn(turn_);
   newest_.bodies = bodies_;
@@ -222,9 +249,9 @@ void BoneBeingCut::show_free_pieces(const std::vector<FreedPiece>& pieces) {
   std::vector<PieceMesh> meshes;
   meshes.reserve(pieces.size());
   for (const FreedPiece& piece : pieces) {
-    meshes.push_back(
-        {piece.id, piece.fragment,
-         std::make_shared<const BoneMesh>(mesh_of(next_mesh_id(), piece.solid, picture_.look))});
+    meshes.push_back({piece.id, piece.fragment,
+                      std::make_shared<const BoneMesh>(
+                          mesh_of(next_mesh_id(), piece.solid, look_of(piece.fragment)))});
   }
   const std::scoped_lock turn(turn_);
   newest_.free_pieces = std::move(meshes);
@@ -246,24 +273,47 @@ void BoneBeingCut::show_places() {
   newest_.metal = std::move(metal);
 }
 
+/// Of several bones the nearest to the tool: the other may be the one that is to be sawn next.
+std::int32_t BoneBeingCut::fragment_to_section() const {
+  std::int32_t nearest = cut_.fragment_at_hand();
+  if (cut_.kerfs().fragments().bone_count() == 1) return nearest;
+  double least_mm = std::numeric_limits<double>::infinity();
+  for (std::int32_t fragment = 0; fragment < cut_.fragment_count(); ++fragment) {
+    const std::optional<Body>& body = bodies_[static_cast<std::size_t>(fragment)];
+    if (!body) continue;
+    const Vec3 tip_mm = transform_point(inverse(cut_.world_from_fragment(fragment)),
+                                        world_from_tool_->translation_mm);
+    const auto near = body->tree->nearest(tip_mm, least_mm);
+    if (!near) continue;
+    least_mm = near->distance_mm;
+    nearest = fragment;
+  }
+  return nearest;
+}
+
 /// In the kerf's plane while the blade lies in it, else in the blade's own, where nothing is open.
 void BoneBeingCut::renew_section() {
   if (!world_from_tool_) return;
-  const std::int32_t fragment = cut_.fragment_at_hand();
+  const std::int32_t fragment = fragment_to_section();
   const std::optional<Body>& body = bodies_[static_cast<std::size_t>(fragment)];
   if (!body) return;
   const RigidTransform fragment_from_tool =
       inverse(cut_.world_from_fragment(fragment)) * *world_from_tool_;
   std::optional<KerfPlane> kerf = cut_.plane_at_hand();
+  if (fragment != cut_.fragment_at_hand()) kerf.reset();
   const bool is_in_kerf = kerf && is_in_plane(kerf->bone_from_kerf, fragment_from_tool);
   const RigidTransform plane = is_in_kerf ? kerf->bone_from_kerf : fragment_from_tool;
   const std::uint64_t opened = is_in_kerf ? next_revision_ : 0;
   if (!section_clock_.is_due(plane, opened, std::chrono::steady_clock::now())) return;
   const KerfOpening opening = is_in_kerf ? *cut_.kerf_at_hand() : KerfOpening{{plane}, {}};
-  auto section =
-      std::make_shared<const KerfSection>(kerf_section(body->mesh->solid, *body->tree, opening));
+  KerfSection section = kerf_section(body->mesh->solid, *body->tree, opening);
+  const FragmentPose& lies = cut_.kerfs().fragments()[fragment];
+  if (lies.is_moved || lies.bone != 0)
+    section.bone_from_plane =
+        inverse(world_from_bone_) * cut_.world_from_fragment(fragment) * section.bone_from_plane;
+  auto made = std::make_shared<const KerfSection>(std::move(section));
   const std::scoped_lock turn(turn_);
-  section_ = std::move(section);
+  section_ = std::move(made);
 }
 
 void BoneBeingCut::renew_site() {
@@ -292,11 +342,12 @@ bool SectionClock::is_due(const RigidTransform& bone_from_plane, std::uint64_t o
 
 std::uint64_t BoneBeingCut::next_mesh_id() { return picture_id(name_ + std::to_string(meshes_++)); }
 
-BoneBeingCut::Body BoneBeingCut::lit_body(const CutSolid& solid, std::shared_ptr<const Bvh> tree) {
-  BoneMesh mesh = mesh_of(next_mesh_id(), solid, picture_.look);
+BoneBeingCut::Body BoneBeingCut::lit_body(const CutSolid& solid, std::shared_ptr<const Bvh> tree,
+                                          const BoneLook& look) {
+  BoneMesh mesh = mesh_of(next_mesh_id(), solid, look);
   const Occluder own{tree.get(), {}};
   light_cut_faces(mesh, std::span(&own, 1));
-  return {std::make_shared<const BoneMesh>(std::move(mesh)), std::move(tree)};
+  return {std::make_shared<const BoneMesh>(std::move(mesh)), std::move(tree), &look};
 }
 
 }  // namespace hallux::ui

@@ -38,9 +38,13 @@ struct BonePicture {
   std::shared_ptr<const simulator::Bvh> tree;
 };
 
+/// By bone.
+using BonePictures = std::vector<BonePicture>;
+
 /// errors  Cancelled
-BonePicture picture_of(std::shared_ptr<const PreparedCase> prepared_case,
-                       const std::filesystem::path& data_directory, const Progress& progress = {});
+BonePictures pictures_of(const std::shared_ptr<const PreparedCase>& prepared_case,
+                         const std::filesystem::path& data_directory,
+                         const Progress& progress = {});
 
 /// A fragment as it is shown, without what the kerf at hand takes; borrowed.
 struct FragmentSurface {
@@ -66,10 +70,10 @@ class SectionClock {
 
 class BoneBeingCut {
  public:
-  /// The bone of any loop that is watched. Borrows case and watch; nobody else may take its feed.
+  /// The bones of any loop that is watched. Borrows case and watch; nobody else may take its feed.
   /// name    of the attempt, for the names of its pictures
   BoneBeingCut(std::string name, const PreparedCase& prepared_case, simulator::AttemptWatch& watch,
-               BonePicture picture);
+               BonePictures pictures);
   ~BoneBeingCut();
   BoneBeingCut(const BoneBeingCut&) = delete;
   BoneBeingCut& operator=(const BoneBeingCut&) = delete;
@@ -82,7 +86,7 @@ class BoneBeingCut {
   /// thread  window
   void add_free_pieces(Scene& scene) const;
   /// What lies in the plane of the kerf at hand, or of the blade while it is away from it, in the
-  /// frame of the kerf's fragment; null before the loop's first step.
+  /// frame of the first bone; null before the loop's first step.
   /// thread  window
   std::shared_ptr<const KerfSection> section();
   /// What is known of the site; null before the loop's first step.
@@ -108,6 +112,8 @@ class BoneBeingCut {
   struct Body {
     std::shared_ptr<const BoneMesh> mesh;
     std::shared_ptr<const simulator::Bvh> tree;
+    /// Of its bone.
+    const BoneLook* look = nullptr;
   };
   struct PieceMesh {
     std::int32_t id = 0, fragment = 0;
@@ -137,14 +143,17 @@ class BoneBeingCut {
   void show_fragment(const simulator::DueFragment& due);
   void show_free_pieces(const std::vector<simulator::FreedPiece>& pieces);
   void show_places();
-  Body lit_body(const simulator::CutSolid& solid, std::shared_ptr<const simulator::Bvh> tree);
+  const BoneLook& look_of(std::int32_t fragment) const noexcept;
+  Body lit_body(const simulator::CutSolid& solid, std::shared_ptr<const simulator::Bvh> tree,
+                const BoneLook& look);
   std::uint64_t next_mesh_id();
+  std::int32_t fragment_to_section() const;
   void renew_section();
   void renew_site();
 
   const std::string name_;
   const RigidTransform world_from_bone_;
-  const BonePicture picture_;
+  const BonePictures pictures_;
   simulator::AttemptWatch& watch_;
   // the thread's
   simulator::LiveCut cut_;

@@ -6,11 +6,13 @@
 
 namespace hallux::ui {
 
-BoneInView neighbour_picture(const scenarios::Scenario& scenario,
-                             const std::filesystem::path& data_directory,
-                             const Progress& progress) {
-  const simulator::Bone bone = scenarios::neighbour_of(scenario);
+std::optional<BoneInView> neighbour_picture(const scenarios::Scenario& scenario,
+                                            const std::filesystem::path& data_directory,
+                                            const Progress& progress) {
+  const std::optional<simulator::Bone> beside = scenarios::neighbour_of(scenario);
   report(progress, 0.0);
+  if (!beside) return std::nullopt;
+  const simulator::Bone& bone = *beside;
   BoneInView neighbour;
   neighbour.look = cached_look_of(data_directory, bone, progress);
   neighbour.mesh = mesh_of(picture_id("neighbour " + std::to_string(neighbour.look.id)),

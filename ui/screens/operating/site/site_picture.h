@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "simulator/base/progress.h"
@@ -13,15 +14,16 @@
 
 namespace hallux::ui {
 
-/// The bone beside a scenario's, ready to be drawn; its look is kept like every bone's.
+/// The bone beside a scenario's, ready to be drawn; its look is kept like every bone's. Nothing
+/// where it is operated on, too.
 /// errors  Cancelled
 /// thread  any but the window's; a second the first time
-BoneInView neighbour_picture(const scenarios::Scenario& scenario,
-                             const std::filesystem::path& data_directory,
-                             const Progress& progress = {});
+std::optional<BoneInView> neighbour_picture(const scenarios::Scenario& scenario,
+                                            const std::filesystem::path& data_directory,
+                                            const Progress& progress = {});
 
 struct SitePicture {
-  BoneInView neighbour;
+  std::optional<BoneInView> neighbour;
   /// Over its solid; null where there is none.
   std::shared_ptr<const simulator::Bvh> neighbour_tree;
   /// By cut, in the order of the plan.

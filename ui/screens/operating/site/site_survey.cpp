@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <utility>
+
+#include "scenarios/site/parted_bone.h"
 
 namespace hallux::ui {
 
@@ -15,6 +18,8 @@ using simulator::ToolStatus;
 constexpr std::chrono::milliseconds between_surveys{60};
 /// So long a piece that is free takes to be told.
 constexpr std::chrono::milliseconds until_told{1000};
+/// So many places along a blade are asked.
+constexpr int blade_steps = 8;
 
 HeldBone drawn(const scenarios::HeldCut& cut, const LiveCut& live) {
   return {live.world_from_fragment(cut.fragment) * cut.bone_from_kerf, cut.bone_mm,
@@ -27,6 +32,18 @@ std::vector<simulator::SolidWithTree> wholes_of(LiveCut& cut) {
   for (std::int32_t fragment = 0; fragment < cut.fragment_count(); ++fragment)
     wholes.push_back(cut.whole(fragment));
   return wholes;
+}
+
+/// Asked on its middle line and along its edges, behind the teeth.
+bool is_blade_in(const simulator::StandingBone& bone, const RigidTransform& bone_from_tool,
+                 const simulator::Blade& blade) {
+  for (const double aside : {-0.5, 0.0, 0.5}) {
+    for (int step = 1; step <= blade_steps; ++step) {
+      const Vec3 place_mm{-blade.depth_mm * step / blade_steps, aside * blade.width_mm, 0.0};
+      if (is_standing(transform_point(bone_from_tool, place_mm), bone)) return true;
+    }
+  }
+  return false;
 }
 
 /// Of several things the one that is nearest.
@@ -56,6 +73,7 @@ SiteSurvey::SiteSurvey(const PreparedCase& prepared_case)
 void SiteSurvey::apply(const simulator::ToolSample& sample) noexcept {
   world_from_tool_ = transform_from(sample.world_from_tool);
   has_moved_ = true;
+  is_in_kerf_ = has(sample.status, ToolStatus::InKerf);
   if (sample.kerf < 0 || !has(sample.status, ToolStatus::SawOn)) return;
   has_grown_ = true;
   has_opened_since_pieces_ |= has(sample.status, ToolStatus::Cutting);
@@ -66,7 +84,10 @@ void SiteSurvey::apply(const simulator::CutEvent& event, const LiveCut& cut) {
   has_grown_ |= event.kind == CutEventKind::PlaneFrozen ||
                 event.kind == CutEventKind::PieceRemoved ||
                 event.kind == CutEventKind::FragmentParted || event.kind == CutEventKind::Released;
-  if (event.kind == CutEventKind::PieceFreed) freed_.push_back(event.subject);
+  if (event.kind == CutEventKind::PieceFreed) {
+    freed_.push_back(event.subject);
+    do_crumbs_count_ = false;
+  }
   are_parts_due_ |= event.kind == CutEventKind::PieceFreed ||
                     event.kind == CutEventKind::PieceRemoved ||
                     event.kind == CutEventKind::FragmentParted;
@@ -80,7 +101,8 @@ void SiteSurvey::apply(const simulator::JobRequest& request) noexcept {
 }
 
 std::optional<SiteFacts> SiteSurvey::renew(LiveCut& cut, Time now) {
-  const bool is_news = has_moved_ || has_grown_ || are_parts_due_ || known_since_.has_value();
+  const bool is_waiting = known_since_.has_value() && !do_crumbs_count_;
+  const bool is_news = has_moved_ || has_grown_ || are_parts_due_ || is_waiting;
   if (now - last_ < between_surveys || !is_news) return std::nullopt;
   last_ = now;
   watch_for_crumbs(now);
@@ -100,15 +122,19 @@ std::optional<SiteFacts> SiteSurvey::renew(LiveCut& cut, Time now) {
 
 void SiteSurvey::renew_ahead(LiveCut& cut) {
   facts_.ahead = {};
+  facts_.is_blade_in_bone = false;
   if (cut.kerfs().tray().saw(cut.kerfs().tool()) == nullptr) return renew_beside(cut);
+  const simulator::Blade& blade = cut.kerfs().blade();
   bool is_first = true;
   for (std::int32_t fragment = 0; fragment < cut.fragment_count(); ++fragment) {
     if (cut.is_out(fragment) || fragment == cut.gripped()) continue;
     const std::vector<const simulator::Bvh*> taken_out = cut.taken_out(fragment);
-    const simulator::BladeAhead ahead = look_ahead(
-        inverse(cut.world_from_fragment(fragment)) * world_from_tool_, cut.kerfs().blade(),
-        {cut.whole(fragment).bvh, {cut.kerfs(), fragment}, taken_out});
+    const simulator::StandingBone bone{cut.whole(fragment).bvh, {cut.kerfs(), fragment}, taken_out};
+    const RigidTransform bone_from_tool =
+        inverse(cut.world_from_fragment(fragment)) * world_from_tool_;
+    const simulator::BladeAhead ahead = look_ahead(bone_from_tool, blade, bone);
     facts_.ahead = std::exchange(is_first, false) ? ahead : ahead_of_both(facts_.ahead, ahead);
+    if (!is_in_kerf_) facts_.is_blade_in_bone |= is_blade_in(bone, bone_from_tool, blade);
   }
 }
 
@@ -126,10 +152,15 @@ void SiteSurvey::renew_beside(LiveCut& cut) {
 }
 
 void SiteSurvey::renew_fragments(const LiveCut& cut) {
-  const RigidTransform bone_from_world = inverse(prepared_case_.bone.world_from_bone);
+  const RigidTransform bone_from_world = inverse(prepared_case_.bone().world_from_bone);
   facts_.bone_from_fragments.clear();
-  for (std::int32_t fragment = 0; fragment < cut.fragment_count(); ++fragment)
+  facts_.moved.clear();
+  for (std::int32_t fragment = 0; fragment < cut.fragment_count(); ++fragment) {
     facts_.bone_from_fragments.push_back(bone_from_world * cut.world_from_fragment(fragment));
+    const auto bone = static_cast<std::size_t>(cut.kerfs().fragments()[fragment].bone);
+    facts_.moved.push_back(facts_.bone_from_fragments.back() *
+                           inverse(first_from(prepared_case_.bones, bone)));
+  }
 }
 
 /// Pieces by what is nearest of their surface, implants by their tips.
@@ -188,7 +219,9 @@ void SiteSurvey::renew_freed(LiveCut& cut) {
   for (const scenarios::PlannedFragment& planned : prepared_case_.plan.fixation.fragments) {
     FreedFragment& freed = facts_.freed.emplace_back();
     for (std::int32_t fragment = 0; fragment < cut.fragment_count(); ++fragment) {
-      if (!cut.is_out(fragment)) find_freed(cut, fragment, planned.holds_in_bone_mm, freed);
+      const std::int32_t bone = cut.kerfs().fragments()[fragment].bone;
+      if (!cut.is_out(fragment) && bone == static_cast<std::int32_t>(planned.bone))
+        find_freed(cut, fragment, planned.holds_in_bone_mm, freed);
     }
   }
 }
@@ -210,15 +243,29 @@ bool SiteSurvey::is_known_free(std::int32_t piece) const noexcept {
   return std::ranges::find(freed_, piece) != freed_.end();
 }
 
-/// What seems through is so but for crumbs. Where then not all that is wanted comes off, crumbs
-/// hold it, and are told of like all that holds.
+/// Where all cuts around a part seem through and it does not come off, crumbs hold it: those are
+/// told of like all that holds.
 void SiteSurvey::watch_for_crumbs(Time now) {
-  const bool seem_through =
-      !facts_.cuts.empty() && std::ranges::all_of(facts_.cuts, &scenarios::HeldCut::is_through);
-  if (are_parts_off() || has_opened_since_pieces_ || !seem_through) return known_since_.reset();
+  if (has_opened_since_pieces_ || !is_part_caught()) return known_since_.reset();
   if (!known_since_) known_since_ = now;
-  if (now - *known_since_ < until_told) return;
+  if (do_crumbs_count_ || now - *known_since_ < until_told) return;
   do_crumbs_count_ = has_grown_ = true;
+}
+
+bool SiteSurvey::is_part_caught() const {
+  const auto is_sawn_through = [&](const std::string& cut) {
+    const scenarios::HeldCut& held = facts_.cuts[index_of_cut(prepared_case_.plan, cut)];
+    return held.is_begun() && held.is_through();
+  };
+  std::size_t part = 0;
+  for (const scenarios::OperationStep& step : prepared_case_.scenario.steps) {
+    if (!scenarios::takes_out(step.kind)) continue;
+    if (part == facts_.parts.size()) return false;
+    if (!facts_.parts[part++].is_off &&
+        std::ranges::all_of(cuts_around(step, prepared_case_.plan), is_sawn_through))
+      return true;
+  }
+  return false;
 }
 
 bool SiteSurvey::are_parts_off() const noexcept {
@@ -237,7 +284,7 @@ void SiteSurvey::renew_parts(LiveCut& cut) {
   const std::vector<scenarios::WantedPart> before = std::exchange(facts_.parts, {});
   for (const scenarios::OperationStep& step : prepared_case_.scenario.steps) {
     if (!scenarios::takes_out(step.kind)) continue;
-    facts_.parts.push_back(wanted_part(step, prepared_case_.plan, facts_.cuts, fragments));
+    facts_.parts.push_back(wanted_part(step, prepared_case_.plan, held_, fragments));
     // What came off before its fragment was divided has come off for good.
     const std::size_t part = facts_.parts.size() - 1;
     const bool was_out = part < before.size() && before[part].is_off && before[part].pieces.empty();
@@ -248,8 +295,17 @@ void SiteSurvey::renew_parts(LiveCut& cut) {
 void SiteSurvey::renew_held(LiveCut& cut) {
   const bool do_count = do_crumbs_count_ && !are_parts_off();
   const std::vector<simulator::SolidWithTree> wholes = wholes_of(cut);
-  facts_.cuts = watch_.held(cut.kerfs(), wholes,
-                            do_count ? scenarios::Crumbs::Told : scenarios::Crumbs::Ignored);
+  held_ = watch_.held(cut.kerfs(), wholes,
+                      do_count ? scenarios::Crumbs::Told : scenarios::Crumbs::Ignored);
+  facts_.cuts = held_;
+  for (std::size_t index = 0; index < held_.size(); ++index) {
+    const std::size_t bone = prepared_case_.plan.cuts[index].bone;
+    if (bone == 0) continue;
+    const RigidTransform first_from_bone = first_from(prepared_case_.bones, bone);
+    scenarios::HeldCut& told = facts_.cuts[index];
+    told.bone_from_fragment = first_from_bone * told.bone_from_fragment;
+    told.deepest_in_bone_mm = transform_point(first_from_bone, told.deepest_in_bone_mm);
+  }
   facts_.held.clear();
   for (const scenarios::HeldCut& held : facts_.cuts) {
     if (!held.is_begun() || held.is_through()) continue;

@@ -47,17 +47,20 @@ struct FreedFragment {
 };
 
 struct SiteFacts {
-  /// By the plan's cuts.
+  /// By the plan's cuts, in the frame of the first bone.
   std::vector<scenarios::HeldCut> cuts;
   /// Of the cuts that were begun and hold, to be drawn.
   std::vector<HeldBone> held;
   simulator::BladeAhead ahead;
+  /// A blade that is in no kerf lies within bone: it is not held before it is drawn back.
+  bool is_blade_in_bone = false;
   /// What the scenario's steps that take bone out ask for, in their order.
   std::vector<scenarios::WantedPart> parts;
   /// The pieces are worked out: until then nobody knows whether one is free.
   bool are_pieces_due = false;
-  /// Where each fragment lies, by their numbers.
-  std::vector<RigidTransform> bone_from_fragments;
+  /// Where each fragment lies, by their numbers, in the frame of the first bone; and what carried
+  /// it there from where it was.
+  std::vector<RigidTransform> bone_from_fragments, moved;
   WithinReach reach;
   std::vector<StandingImplant> implants;
   std::vector<BoredHole> bores;
@@ -95,13 +98,18 @@ class SiteSurvey {
   bool is_known_free(std::int32_t piece) const noexcept;
   bool are_parts_off() const noexcept;
   void watch_for_crumbs(Time now);
+  bool is_part_caught() const;
 
   const PreparedCase& prepared_case_;
   scenarios::SiteWatch watch_;
+  /// By the plan's cuts, each in the frame of its bone.
+  std::vector<scenarios::HeldCut> held_;
   SiteFacts facts_;
   RigidTransform world_from_tool_;
+  bool is_in_kerf_ = false;
   bool has_moved_ = false, has_grown_ = true, has_opened_since_pieces_ = false;
-  /// Every cut seemed through and yet not all that is wanted came off, so crumbs hold it.
+  /// What was sawn seemed through and yet not all that is wanted came off, so crumbs hold it, until
+  /// the next piece comes free.
   bool do_crumbs_count_ = false;
   /// Pieces that the kernel said are free: it may be behind what is worked out here.
   std::vector<std::int32_t> freed_;
