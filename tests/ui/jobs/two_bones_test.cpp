@@ -28,10 +28,10 @@ const StageProgress untold = [](const std::string&) { return Progress(); };
 /// The perfect hand's.
 class TwoBones : public testing::Test {
  protected:
-  static void SetUpTestSuite() { made_ = new Made; }
+  static void SetUpTestSuite() { made = new Made; }
   static void TearDownTestSuite() {
-    delete made_;
-    made_ = nullptr;
+    delete made;
+    made = nullptr;
   }
 
   struct Made {
@@ -62,13 +62,13 @@ class TwoBones : public testing::Test {
     return found == all.end() || !found->is_measured() ? NAN : found->value;
   }
 
-  static Made* made_;
+  static Made* made;
 };
 
-TwoBones::Made* TwoBones::made_ = nullptr;
+TwoBones::Made* TwoBones::made = nullptr;
 
 TEST_F(TwoBones, AreStoredAsOnePatient) {
-  const AttemptMaterial& material = made_->material;
+  const AttemptMaterial& material = made->material;
   ASSERT_EQ(material.bones.size(), 2U);
   EXPECT_EQ(material.bones[0].name, "first_metatarsal");
   EXPECT_EQ(material.bones[1].name, "first_proximal_phalanx");
@@ -76,7 +76,7 @@ TEST_F(TwoBones, AreStoredAsOnePatient) {
 }
 
 TEST_F(TwoBones, AreMeasuredEachInItsOwnFrame) {
-  const std::vector<Measurement> all = score_attempt(made_->material, untold).measurements;
+  const std::vector<Measurement> all = score_attempt(made->material, untold).measurements;
   for (const char* cut : {"neck", "toe"}) {
     EXPECT_LT(value_of(all, "angle_deg", cut), 0.1) << cut;
     EXPECT_LT(value_of(all, "location_mm", cut), 0.1) << cut;
@@ -85,21 +85,21 @@ TEST_F(TwoBones, AreMeasuredEachInItsOwnFrame) {
   EXPECT_LT(value_of(all, "shift_error_mm", "toe_end"), 0.6) << "a kerf that was closed";
   EXPECT_LT(value_of(all, "direction_deg", "pin"), 0.1);
   EXPECT_EQ(value_of(all, "piece_out", "neck"), 1.0);
-  EXPECT_EQ(made_->outcome.card.score_milli, 100000);
+  EXPECT_EQ(made->outcome.card.score_milli, 100000);
 }
 
 TEST_F(TwoBones, AreReplayedToTheBit) {
-  const auto result = replay_attempt(made_->material, untold);
+  const auto result = replay_attempt(made->material, untold);
   ASSERT_TRUE(result.has_value());
   EXPECT_TRUE(result->is_identical);
 }
 
 TEST_F(TwoBones, TellWhichPieceWasGripped) {
-  const simulator::Recording& recording = made_->material.recording;
+  const simulator::Recording& recording = made->material.recording;
   const auto parted = std::ranges::find(recording.events, simulator::CutEventKind::FragmentParted,
                                         &simulator::CutEvent::kind);
   ASSERT_NE(parted, recording.events.end());
-  const auto jobs = recorded_jobs(recording, made_->material.bones.size());
+  const auto jobs = recorded_jobs(recording, made->material.bones.size());
   const auto grip = std::ranges::find_if(jobs, [](const simulator::RecordedJob& job) {
     return job.request.kind == simulator::JobKind::Grip;
   });
@@ -108,14 +108,14 @@ TEST_F(TwoBones, TellWhichPieceWasGripped) {
 }
 
 TEST_F(TwoBones, LeaveBodiesAndMetalInBoth) {
-  const json bodies = fragments_json(made_->outcome.left.value());
+  const json bodies = fragments_json(made->outcome.left.value());
   EXPECT_EQ(named(bodies, "first_metatarsal").at("moved_mm"), 0.0);
   EXPECT_EQ(named(bodies, "first_proximal_phalanx").at("moved_mm"), 0.0);
   EXPECT_NEAR(named(bodies, "toe_end").at("moved_mm"), 3.0, 0.2);
-  const json implants = implants_json(made_->outcome.left.value());
+  const json implants = implants_json(made->outcome.left.value());
   ASSERT_EQ(implants.size(), 1U);
   EXPECT_EQ(implants[0].at("engages"), json({"first_proximal_phalanx", "toe_end"}));
-  const json balance = balance_json(made_->outcome.left.value());
+  const json balance = balance_json(made->outcome.left.value());
   EXPECT_NEAR(balance.at("error_mm3"), 0.0, 1.0e-6 * balance.at("input_mm3").get<double>());
 }
 
@@ -123,7 +123,7 @@ TEST_F(TwoBones, LeaveBodiesAndMetalInBoth) {
 class ExportOfTwoBones : public TwoBones {
  protected:
   ExportOfTwoBones() {
-    const AttemptMaterial& material = made_->material;
+    const AttemptMaterial& material = made->material;
     const std::vector<std::byte> bones = encode_patient(material.bones);
     for (const database::DerivedFile& file :
          files_made_from({{},
@@ -164,7 +164,7 @@ class ExportOfTwoBones : public TwoBones {
 TEST_F(ExportOfTwoBones, HasBothBonesAndAPlanThatNamesThem) {
   for (const auto& [bone, name] : {std::pair{0U, "bone.ply"}, {1U, "bone-2.ply"}}) {
     EXPECT_NEAR(simulator::signed_volume_mm3(mesh_of(name)),
-                simulator::signed_volume_mm3(solid_of(made_->material.bones[bone])), 1.0e-6);
+                simulator::signed_volume_mm3(solid_of(made->material.bones[bone])), 1.0e-6);
   }
   const json plan = json_of("plan.json");
   EXPECT_EQ(plan.at("bone"), "first_metatarsal");

@@ -16,10 +16,10 @@ namespace {
 /// The perfect hand's, as ada's. Made once.
 class TwoBonesShown : public testing::Test {
  protected:
-  static void SetUpTestSuite() { stored_ = new Stored; }
+  static void SetUpTestSuite() { stored = new Stored; }
   static void TearDownTestSuite() {
-    delete stored_;
-    stored_ = nullptr;
+    delete stored;
+    stored = nullptr;
   }
 
   struct Stored {
@@ -42,14 +42,14 @@ class TwoBonesShown : public testing::Test {
     database::AttemptId id;
   };
 
-  static inline Stored* stored_ = nullptr;
+  static inline Stored* stored = nullptr;
 };
 
 TEST_F(TwoBonesShown, InTheResultEachWhereItLies) {
   WorkReport report;
-  const auto visit = visit_of(stored_->course, "ada");
-  const auto examined = examine_attempt(*visit, stored_->id, report);
-  const std::vector<simulator::Bone>& bones = stored_->made.material.bones;
+  const auto visit = visit_of(stored->course, "ada");
+  const auto examined = examine_attempt(*visit, stored->id, report);
+  const std::vector<simulator::Bone>& bones = stored->made.material.bones;
   EXPECT_EQ(examined->card.score_milli, 100'000);
   ASSERT_EQ(examined->looks.size(), 2U);
   for (std::size_t bone = 0; bone < 2; ++bone) {
@@ -75,10 +75,10 @@ TEST_F(TwoBonesShown, InTheResultEachWhereItLies) {
 
 TEST_F(TwoBonesShown, InTheReplayWithinOneSight) {
   WorkReport report;
-  const auto visit = visit_of(stored_->course, "ada");
-  const auto replay = load_replay(*visit, stored_->id, report);
+  const auto visit = visit_of(stored->course, "ada");
+  const auto replay = load_replay(*visit, stored->id, report);
   const RigidTransform first_from_world = inverse(replay->world_from_bone);
-  for (const simulator::Bone& bone : stored_->made.material.bones) {
+  for (const simulator::Bone& bone : stored->made.material.bones) {
     for (const Vec3& point : bone.outer.points_mm) {
       const Vec3 seen = transform_point(first_from_world * bone.world_from_bone, point);
       ASSERT_LT(glm::length(seen - replay->middle_in_bone_mm), 1.001 * replay->radius_mm)
