@@ -307,7 +307,8 @@ void ResultScreen::draw_ledger(Ui& ui, const Rect& rect) {
     std::int64_t lost = 0;
     for (const assessment::ShownLine& each : assessment::shown_points(facts().score->card).lines)
       lost += each.lost_milli;
-    title = ui.texts().say("result.ledger.lost", {{"points", points_text(lost)}});
+    title = lost == 0 ? std::string(ui.text("result.ledger.kept"))
+                      : ui.texts().say("result.ledger.lost", {{"points", points_text(lost)}});
   }
   Rect inside = card(ui, rect, title);
   if (!facts().score || facts().score->card.ledger.empty()) {

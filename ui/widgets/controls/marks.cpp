@@ -93,7 +93,11 @@ void score_ring(Ui& ui, Point centre, float radius, const ScoreRing& ring) {
                 {centre.x + std::cos(angle) * outer, centre.y + std::sin(angle) * outer},
                 theme.text, 2.0F);
   }
-  canvas.text({centre.x, centre.y - 3.0F}, {Type::Score, theme.text, Align::Centre}, ring.number);
+  // All points have a digit more than there is room for.
+  const float room = 2.0F * (radius - ring_stroke);
+  const bool is_wide = canvas.width_of(Type::Score, ring.number) > room;
+  canvas.text({centre.x, centre.y - 3.0F},
+              {is_wide ? Type::Number : Type::Score, theme.text, Align::Centre}, ring.number);
   canvas.text({centre.x, centre.y + 31.0F}, {Type::Small, theme.text_caption, Align::Centre},
               ring.below);
 }
