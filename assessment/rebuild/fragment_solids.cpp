@@ -140,7 +140,6 @@ FragmentSolids::FragmentSolids(RebuiltBone& rebuilt, const simulator::Bones& bon
   for (std::size_t i = 0; i < bones.size(); ++i) {
     add(simulator::uncut_solid(solid_of(bones[i])), static_cast<std::int32_t>(i), i);
     rebuilt_.inputs_mm3.push_back(signed_volume_mm3(standing_.back().whole.own->solid.mesh));
-    rebuilt_.input_mm3 += rebuilt_.inputs_mm3.back();
   }
 }
 

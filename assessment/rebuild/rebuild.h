@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 #include "assessment/rebuild/opened_fields.h"
@@ -67,13 +68,17 @@ struct RebuiltBone {
   std::vector<bool> is_piece_out = {};
   /// As in `fields`; the bones are the first.
   std::vector<RebuiltFragment> fragments = {};
-  double input_mm3 = 0.0;
-  /// By bone.
+  /// By bone, as they were.
   std::vector<double> inputs_mm3 = {};
   /// By the blade, integrated from sections.
   double removed_mm3 = 0.0;
   double debris_mm3 = 0.0;
   std::int32_t debris_count = 0;
+
+  /// Of all bones.
+  double input_mm3() const noexcept {
+    return std::accumulate(inputs_mm3.begin(), inputs_mm3.end(), 0.0);
+  }
 };
 
 /// Of the patient's bones, in which that kerf is.

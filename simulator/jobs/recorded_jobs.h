@@ -22,6 +22,6 @@ struct RecordedJob {
 /// needs   tape and events are in the order of their ticks
 /// ensures nothing where the recording has no tape
 /// errors  those of whoever keeps the tape
-std::vector<RecordedJob> recorded_jobs(const Recorded& recorded, std::size_t bones = 1);
+std::vector<RecordedJob> recorded_jobs(const Recorded& recorded, std::size_t bones);
 
 }  // namespace hallux::simulator

@@ -81,13 +81,14 @@ ordered_json balance_json(const LeftBehind& left) {
   const assessment::RebuiltBone& rebuilt = left.rebuilt;
   const double pieces_mm3 =
       std::accumulate(rebuilt.piece_volumes_mm3.begin(), rebuilt.piece_volumes_mm3.end(), 0.0);
-  return {{"input_mm3", rebuilt.input_mm3},
-          {"pieces_mm3", pieces_mm3},
-          {"removed_mm3", rebuilt.removed_mm3},
-          {"debris_mm3", rebuilt.debris_mm3},
-          {"error_mm3", rebuilt.input_mm3 - pieces_mm3 - rebuilt.removed_mm3 - rebuilt.debris_mm3},
-          {"holes_mm3", left.fixation.holes_mm3},
-          {"holes_bound_mm3", left.fixation.holes_bound_mm3}};
+  return {
+      {"input_mm3", rebuilt.input_mm3()},
+      {"pieces_mm3", pieces_mm3},
+      {"removed_mm3", rebuilt.removed_mm3},
+      {"debris_mm3", rebuilt.debris_mm3},
+      {"error_mm3", rebuilt.input_mm3() - pieces_mm3 - rebuilt.removed_mm3 - rebuilt.debris_mm3},
+      {"holes_mm3", left.fixation.holes_mm3},
+      {"holes_bound_mm3", left.fixation.holes_bound_mm3}};
 }
 
 ordered_json steps_json(const LeftBehind& left, const scenarios::Scenario& scenario) {

@@ -31,14 +31,14 @@ RebuiltBone rebuilt_from(const std::vector<Stroke>& strokes) {
 
 TEST(Rebuild, ACutThroughTheBlockLeavesTwoPiecesAndTakesItsKerf) {
   const RebuiltBone rebuilt = rebuilt_from({Stroke{}});
-  EXPECT_DOUBLE_EQ(rebuilt.input_mm3, testing::block_mm3);
+  EXPECT_DOUBLE_EQ(rebuilt.input_mm3(), testing::block_mm3);
   ASSERT_EQ(rebuilt.pieces.size(), 2U);
   EXPECT_NEAR(rebuilt.piece_volumes_mm3[0], 1200.0 * 16.0, volume_tolerance_mm3);
   EXPECT_NEAR(rebuilt.piece_volumes_mm3[1], 1200.0 * 3.5, volume_tolerance_mm3);
   EXPECT_NEAR(rebuilt.removed_mm3, 1200.0 * testing::kerf_mm, volume_tolerance_mm3);
   const double sum_mm3 = rebuilt.piece_volumes_mm3[0] + rebuilt.piece_volumes_mm3[1] +
                          rebuilt.removed_mm3 + rebuilt.debris_mm3;
-  EXPECT_NEAR(sum_mm3, rebuilt.input_mm3, 1e-6 * rebuilt.input_mm3);
+  EXPECT_NEAR(sum_mm3, rebuilt.input_mm3(), 1e-6 * rebuilt.input_mm3());
   EXPECT_TRUE(rebuilt.kerfs.at(0).is_finished());
   EXPECT_EQ(rebuilt.kerfs[0].frozen_tick, 10);
   EXPECT_EQ(rebuilt.kerfs[0].first_cutting_tick, 10);
@@ -50,7 +50,7 @@ TEST(Rebuild, AStrokeThatStopsInsideTakesWhatItOpenedAndSaysHowFarItCame) {
   // The last pose lies one feed of 0.05 mm above the middle; its tip is off by 1 um and its line by
   // as much.
   EXPECT_NEAR(rebuilt.removed_mm3, 60.0 * 9.95 * testing::kerf_mm, 60.0 * 0.002 * testing::kerf_mm);
-  EXPECT_NEAR(rebuilt.piece_volumes_mm3[0] + rebuilt.removed_mm3, rebuilt.input_mm3, 1e-6);
+  EXPECT_NEAR(rebuilt.piece_volumes_mm3[0] + rebuilt.removed_mm3, rebuilt.input_mm3(), 1e-6);
   ASSERT_EQ(rebuilt.kerfs.size(), 1U);
   EXPECT_FALSE(rebuilt.kerfs[0].is_finished());
   // Half of 20 mm, to within two rows of 0.1 mm nodes and one feed of 0.05 mm.

@@ -25,7 +25,7 @@ void saw_off(SimulationRun& run, double x_mm) {
 
 /// The jobs of the recording, each held against what the step asked for.
 void expect_known(const SimulationRun& run) {
-  const std::vector<RecordedJob> jobs = recorded_jobs(run.recording());
+  const std::vector<RecordedJob> jobs = recorded_jobs(run.recording(), 1);
   ASSERT_EQ(jobs.size(), run.requests().size());
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     EXPECT_EQ(jobs[i].request.id, run.requests()[i].id);
@@ -43,7 +43,7 @@ TEST(RecordedJobs, AreThoseThatTheStepAskedFor) {
   run.step({{CommandKind::CloseHinge, 0, 0}});
   run.hold(3);
   expect_known(run);
-  EXPECT_EQ(recorded_jobs(run.recording()).back().request.kind, JobKind::Hinge);
+  EXPECT_EQ(recorded_jobs(run.recording(), 1).back().request.kind, JobKind::Hinge);
 }
 
 TEST(RecordedJobs, AreKnownWhereSeveralAreAppliedAtOnce) {
@@ -62,7 +62,7 @@ TEST(RecordedJobs, AreNoneWithoutATape) {
   saw_off(run, 5.0);
   Recording recording = run.recording();
   recording.tape.clear();
-  EXPECT_TRUE(recorded_jobs(recording).empty());
+  EXPECT_TRUE(recorded_jobs(recording, 1).empty());
 }
 
 }  // namespace
