@@ -79,8 +79,7 @@ TEST_F(ChevronByHints, TellsHowFarAWireIsStillToBeDrawnOut) {
 /// Turns the blade about its normal.
 void turn_in_plane(VirtualOperation& operation, double angle_rad) {
   const CoachView view = coach_view(operation.sources());
-  const Vec3 turn =
-      angle_rad * (glm::conjugate(view.bone_from_view) * axis_z(view.bone_from_tool));
+  const Vec3 turn = angle_rad * (glm::conjugate(view.bone_from_view) * axis_z(view.bone_from_tool));
   simulator::PointerMotion motion;
   motion.turned_rad = Vec2(turn.y, -turn.x);
   motion.rolled_rad = turn.z;
