@@ -18,6 +18,7 @@
 #include "assessment/process/step_order.h"
 #include "assessment/process/tool_path.h"
 #include "assessment/process/tool_place.h"
+#include "assessment/process/wrong_bones.h"
 
 namespace hallux::assessment {
 
@@ -231,6 +232,7 @@ std::vector<Measurement> measure_process(const Evidence& evidence, const Followe
   list.add(Metric::RestartsCount, measure_restarts(evidence));
   add_saw_care(list, evidence, surface);
   add_movements(list, evidence, surface);
+  list.add(Metric::WrongBonesCount, measure_wrong_bones(evidence));
   std::vector<Measurement> made = list.take();
   made.push_back(measured(Metric::StepOrder, measure_step_order(evidence), {}));
   const double done = done_fraction_of(evidence.faces);

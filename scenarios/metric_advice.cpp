@@ -135,6 +135,8 @@ constexpr std::array<MetricAdvice, static_cast<std::size_t>(Metric::Count)> advi
      "Look where you are going, then go there in one movement."},
     {Metric::StepOrder, "What is done out of order has to be undone.",
      "Read the next step aloud before you begin it."},
+    {Metric::WrongBonesCount, "What is sawn on a sound bone is harm alone.",
+     "Name the bone aloud, and look for its mark, before the saw starts."},
     {Metric::TimeS, "A tourniquet has its time.", "Plan longer, then saw each cut once."},
     {Metric::PlanningS, "A minute of looking spares two of sawing.",
      "Look at the plan from two sides before the first cut."},

@@ -187,6 +187,7 @@ constexpr std::array<MetricFacts, static_cast<std::size_t>(Metric::Count)> facts
      "longest common subsequence of the steps carried out and those required, over the required "
      "ones",
      "docs/metrics.md"},
+    {Metric::WrongBonesCount, "cuts begun on a bone on which no cut is planned", "docs/metrics.md"},
     {Metric::TimeS, "from started to finished while the clock ran", "docs/metrics.md"},
     {Metric::PlanningS, "from started to the first tick that cut", "docs/metrics.md"},
     {Metric::IdleS, "seconds in stretches over 1.5 s with the handle below 2 mm/s and no cutting",

@@ -75,6 +75,7 @@ enum class Metric : std::uint8_t {
   Sparc,
   Ldlj,
   StepOrder,
+  WrongBonesCount,
   TimeS,
   PlanningS,
   IdleS,

@@ -97,6 +97,14 @@ std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_
   return hardest;
 }
 
+Tissue tissue_at(const Vec3& point_in_wound_mm, const Wound& bone) noexcept {
+  Tissue hardest = Tissue::None;
+  bone.visit_near(point_in_wound_mm, 0.0, [&](std::int32_t, const WoundFragment& standing) {
+    hardest = std::max(hardest, standing.tissue.at(standing.point_from(point_in_wound_mm)));
+  });
+  return hardest;
+}
+
 std::int32_t teeth_in_fragment(const WoundFragment& standing, const RigidTransform& bone_from_tool,
                                TeethMemory& teeth) noexcept {
   std::array<Tissue, tooth_count> hardest{};

@@ -27,6 +27,10 @@ std::array<Tissue, tooth_count> tissue_at_teeth(const RigidTransform& bone_from_
                                                 const Wound& bone, double ahead_mm,
                                                 OfFragments<TeethMemory>& teeth) noexcept;
 
+/// The hardest tissue of any fragment at a point.
+/// thread  haptic; allocates nothing
+Tissue tissue_at(const Vec3& point_in_wound_mm, const Wound& bone) noexcept;
+
 /// How many teeth stand in one fragment.
 std::int32_t teeth_in_fragment(const WoundFragment& standing, const RigidTransform& bone_from_tool,
                                TeethMemory& teeth) noexcept;

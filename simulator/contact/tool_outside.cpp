@@ -32,6 +32,21 @@ Walk walk(ToolState& tool, const ToolInput& input, const Wound& bone,
       });
 }
 
+/// What presses on teeth beside their middles: an edge of the bone at a corner of the blade, or a
+/// rim between two teeth. What is no cortex feeds as cancellous bone.
+Engagement pressed_teeth(const ToolState& tool, const Walk& walked, const Wound& bone) noexcept {
+  const double share_mm = bone.blade().width_mm / static_cast<double>(tooth_count);
+  Engagement pressed;
+  for (const BladeContact& contact : walked.contacts.all()) {
+    if (!contact.is_tooth || !(tool.load.normal_mm[contact.point] > 0.0)) continue;
+    const Vec3 inside_mm = tool.bone_from_tool.translation_mm + contact.arm_mm -
+                           (contact.gap_mm + probe_ahead_mm) * contact.normal;
+    const bool is_cortex = tissue_at(inside_mm, bone) == Tissue::Cortical;
+    (is_cortex ? pressed.cortical_mm : pressed.cancellous_mm) += share_mm;
+  }
+  return pressed;
+}
+
 /// Running teeth advance by the feed law of what they alone bear.
 double feed_touch(ToolState& tool, const ToolInput& input, const Walk& walked,
                   const ContactSettings& settings, ToolOutcome& outcome) noexcept {
@@ -55,11 +70,15 @@ void begin_touch(ToolState& tool, ToolOutcome& outcome) noexcept {
   outcome.began_contact = true;
 }
 
-void go_on_touching(ToolState& tool, const ToolInput& input, const Walk& walked,
+/// A touch is as deep as teeth went whose middles stand in bone; those that bone only presses on
+/// bite until they do.
+void go_on_touching(ToolState& tool, const ToolInput& input, const Walk& walked, bool is_in_bone,
                     const ContactSettings& settings, ToolOutcome& outcome) noexcept {
   tool.touch_depth_mm = std::max(0.0, tool.touch_depth_mm - walked.lifted_mm);
   if (outcome.engaged.width_mm() > 0.0) {
-    tool.touch_depth_mm += feed_touch(tool, input, walked, settings, outcome);
+    const double fed_mm = feed_touch(tool, input, walked, settings, outcome);
+    if (!is_in_bone) return;
+    tool.touch_depth_mm += fed_mm;
     tool.scratch_mm = std::max(tool.scratch_mm, tool.touch_depth_mm);
     outcome.wants_freeze = !tool.is_refused && tool.touch_depth_mm >= settings.freeze_depth_mm;
     return;
@@ -80,11 +99,13 @@ void move_outside(ToolState& tool, const ToolInput& input, const Wound& bone,
                   ToolOutcome& outcome) noexcept {
   const Walk walked = walk(tool, input, bone, settings, travel_limit_mm);
   outcome.engaged = engagement(tool.bone_from_tool, bone, probe_ahead_mm, tool.teeth);
+  const bool is_in_bone = outcome.engaged.width_mm() > 0.0;
+  if (!is_in_bone && input.cuts()) outcome.engaged = pressed_teeth(tool, walked, bone);
   const bool is_pushed = walked.proxy.normal_mm > 0.0 || tool.stage == ToolStage::Touching;
   const ProxyMotion left = motion_between(tool.bone_from_tool, input.bone_from_handle);
   tool.is_held = is_pushed || (tool.is_held && reach_of(left, bone.blade()) > slack_mm);
   if (tool.stage == ToolStage::Touching) {
-    go_on_touching(tool, input, walked, settings, outcome);
+    go_on_touching(tool, input, walked, is_in_bone, settings, outcome);
   } else if (outcome.engaged.width_mm() > 0.0) {
     begin_touch(tool, outcome);
     tool.is_held = true;

@@ -28,6 +28,12 @@ bool is_of_deed(const database::GateResult& gate) {
   return gate.name == "piece_out" || gate.name == "wedge_closed";
 }
 
+/// Points are lost for a cut that was not made, and not for what else was left undone.
+bool lacks_its_cut(const database::LedgerLine& line) {
+  return !line.is_measured && line.points_lost_milli > 0 &&
+         line.facts.absence != database::Absence::NotDone;
+}
+
 AttemptRow row_of(const scenarios::Scenario& scenario, const simulator::Bone& bone,
                   const char* hand, std::uint64_t seed) {
   const simulator::Recording recording = run_hand(scenario, bone, hand, seed).recording;
@@ -41,7 +47,7 @@ AttemptRow row_of(const scenarios::Scenario& scenario, const simulator::Bone& bo
     if (line.item == "A2") row.location_mm = line.value;
     if (line.metric == "hinge_mm") row.hinge_mm = line.value;
     if (line.metric == "over_cut_mm") row.over_cut_mm = line.value;
-    row.is_measured = row.is_measured && (line.is_measured || line.points_lost_milli == 0);
+    row.is_measured = row.is_measured && !lacks_its_cut(line);
   }
   for (const database::GateResult& gate : card.gates) {
     row.is_done = row.is_done && !(is_of_deed(gate) && gate.is_triggered);

@@ -125,6 +125,16 @@ std::string draw_harm() {
                "open");
   page.measure({462.0, 160.0}, {550.0, 160.0});
   page.text({470.0, 262.0}, "joint_margin_mm", "words", "middle");
+  draw_bone(page, {{612.0, 90.0},
+                   {580.0, 96.0},
+                   {562.0, 130.0},
+                   {562.0, 190.0},
+                   {580.0, 224.0},
+                   {612.0, 230.0}});
+  page.polygon(std::vector<Vec2>{{590.0, 75.0}, {598.0, 75.0}, {598.0, 130.0}, {590.0, 130.0}},
+               "open");
+  page.text({590.0, 284.0}, "wrong_bones_count: 1, begun on a bone without a planned cut", "words",
+            "middle");
   page.text({640.0, 45.0}, "cells of the kerf's walls", "head");
   for (int u = 0; u < 9; ++u) {
     for (int v = 0; v < 6; ++v) {

@@ -161,6 +161,39 @@ TEST(LaidBlade, SlippingOffABoneIsNoJumpEither) {
   EXPECT_NEAR(world.tip_mm().y, top_mm - 3.0, 1e-6);
 }
 
+/// The blade in the x-y plane, one corner down: its teeth go to +x and down.
+RigidTransform corner_down_at(const Vec3& tip_mm, double down_rad) {
+  const Quat turn = rotation_about(Vec3{0.0, 0.0, 1.0}, -down_rad);
+  return {normalised(turn * on_edge_at({}).rotation), tip_mm};
+}
+
+class CornerOfARunningBlade : public testing::TestWithParam<double> {
+ protected:
+  /// Pushed along its feed by four millimetres, from just above the block, until a kerf is wanted.
+  bool is_cut_into(bool saw_runs) {
+    const RigidTransform above = corner_down_at({10.0, top_mm + 5.5, 0.0}, GetParam());
+    const Vec3 ahead = axis_x(above);
+    for (int tick = 0; tick < 3000; ++tick) {
+      const double way_mm = std::min(0.004 * tick, 4.0 / -ahead.y);
+      const RigidTransform hand{above.rotation, above.translation_mm + way_mm * ahead};
+      if (world_.hold(hand, 1, saw_runs).wants_freeze) return true;
+    }
+    return false;
+  }
+
+  World world_ = block_below(corner_down_at({10.0, top_mm + 5.5, 0.0}, GetParam()));
+};
+
+TEST_P(CornerOfARunningBlade, CutsIntoBoneThatItsTeethDoNotStandBefore) {
+  EXPECT_TRUE(is_cut_into(true));
+  EXPECT_LT(world_.depth_mm(), 0.005);
+}
+
+TEST_P(CornerOfARunningBlade, StandsOnBoneWhileTheSawIsOff) { EXPECT_FALSE(is_cut_into(false)); }
+
+/// Of its feed to the bone's surface [rad]: 40, 30 and 20 degrees.
+INSTANTIATE_TEST_SUITE_P(Angles, CornerOfARunningBlade, testing::Values(0.698, 0.524, 0.349));
+
 /// Whatever a hand does at a round bone: no face stays in it.
 TEST(LaidBlade, StaysOutOfARoundBoneInAnyHand) {
   Random random(7, "laid blade");

@@ -85,7 +85,42 @@ TEST_F(TwoBones, AreMeasuredEachInItsOwnFrame) {
   EXPECT_LT(value_of(all, "shift_error_mm", "toe_end"), 0.6) << "a kerf that was closed";
   EXPECT_LT(value_of(all, "direction_deg", "pin"), 0.1);
   EXPECT_EQ(value_of(all, "piece_out", "neck"), 1.0);
+  EXPECT_EQ(value_of(all, "wrong_bones_count", ""), 0.0);
   EXPECT_EQ(made->outcome.card.score_milli, 100000);
+}
+
+/// The same operation, planned on the metatarsal alone: the toe is a bone that it has no business
+/// with.
+scenarios::Scenario on_the_metatarsal_alone() {
+  std::ifstream file(HALLUX_TWO_BONES);
+  json text = json::parse(file);
+  for (const char* of_toe : {"fragments", "shifts", "wires", "directions"}) text.erase(of_toe);
+  text["danger_zones"] = json::array();
+  text["cuts"].erase(1);
+  text["steps"].erase(text["steps"].begin() + 3, text["steps"].begin() + 6);
+  text["steps"][3]["after"] = {"take_head"};
+  json& items = text["rubric"]["items"];
+  items = {items[0], items[7]};
+  items[0]["weight"] = 60;
+  items[1].update({{"metric", "wrong_bones_count"}, {"weight", 40}, {"zero", 1}});
+  items[1].erase("zone");
+  json gate = text["rubric"]["gates"][1];
+  gate.update({{"name", "wrong_bone"}, {"metric", "wrong_bones_count"}, {"limit", 0}, {"cap", 0}});
+  gate.erase("at_least");
+  text["rubric"]["gates"].push_back(gate);
+  return scenarios::parse_scenario(text.dump(), "two_bones");
+}
+
+TEST_F(TwoBones, TellACutOnABoneThatIsNotOperatedOn) {
+  AttemptMaterial material = made->material;
+  material.scenario = on_the_metatarsal_alone();
+  const assessment::Examination examination = score_attempt(material, untold);
+  EXPECT_EQ(value_of(examination.measurements, "wrong_bones_count", ""), 1.0);
+  EXPECT_EQ(examination.card.score_milli, 0);
+  const auto gate =
+      std::ranges::find(examination.card.gates, "wrong_bone", &database::GateResult::name);
+  ASSERT_NE(gate, examination.card.gates.end());
+  EXPECT_TRUE(gate->is_triggered);
 }
 
 TEST_F(TwoBones, AreReplayedToTheBit) {

@@ -13,7 +13,7 @@ IN_BORE, DRIVE_ON, BORING = (1 << bit for bit in range(8, 11))
 # The same: kinds of events.
 STARTED, PLANE_FROZEN, BREAK_THROUGH, PIECE_REMOVED, STEP_DONE, FINISHED, HINGE_CLOSED, STEP_REOPENED = (
     1, 4, 6, 9, 10, 14, 17, 24)
-TOOL_CHOSEN, IMPLANT_TAKEN = 29, 40
+FRAGMENT_PARTED, TOOL_CHOSEN, IMPLANT_TAKEN = 25, 29, 40
 # Ticks that one line of the tape covers at most: what is further apart was not recorded between.
 TICKS_PER_LINE = 3
 

@@ -1,6 +1,7 @@
 """All metrics of an attempt that an export tells, by (metric, cut, hinge, zone, fragment or implant), and why the others are
 left out."""
 
+from outsider.bones import wrong_bones_count
 from outsider.entries import restarts_count
 from outsider.export import HINGE_CLOSED
 from outsider.faces import closing_metrics, counting, cut_metrics, faces_of_cuts, kerfs_of_cuts, piece_metrics, wedge_metrics
@@ -41,6 +42,7 @@ def recomputed(export):
     found |= movement_metrics(export) | zone_metrics(export)
     kerfs = kerfs_of_cuts(export)
     found["step_order", ""] = step_order(export, kerfs)
+    found["wrong_bones_count", ""] = wrong_bones_count(export)
     faces = faces_of_cuts(export, kerfs)
     found["restarts_count", ""] = restarts_count(export, faces)
     for cut, made in faces.items():
