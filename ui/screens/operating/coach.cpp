@@ -38,6 +38,8 @@ constexpr double along_at_work_mm = 2.0;
 /// Nearer to bone the saw is not moved aside, and may be a little less right: who aimed well in air
 /// is not called back for a push that went a little aside.
 constexpr double clear_mm = 1.0, slack_at_bone = 1.7;
+/// What stands at bone is drawn back so far before it is moved aside.
+constexpr double clear_by_mm = 3.0;
 /// Out of the bone again: so far before the cut's entry.
 constexpr double out_mm = -2.0;
 /// Before a hinge pushes are gentler, which stop in time.
@@ -303,10 +305,11 @@ bool is_caught(const CoachView& view) {
 }
 
 /// A little aside, under the push: across its kerf the blade finds its slot, and along the cut, to
-/// the middle of it, its teeth find bone.
+/// the middle of it, its teeth find bone. A saw that stands finds neither at an edge of the bone.
 Hint caught_hint(const CoachView& view, const Aim& aim) {
   const Vec3& tip_mm = view.bone_from_tool.translation_mm;
   const bool is_in_slot = aim.held != nullptr && aim.held->is_begun();
+  if (!is_in_slot && !view.is_saw_on) return draw_back_hint("operate.hint.clear", clear_by_mm);
   const Vec3& aside = is_in_slot ? aim.goal.normal : aim.passes.along_in_bone;
   const double middle_mm = glm::dot(aside, aim.cut.entry_point_in_bone_mm) +
                            0.5 * (aim.passes.low_mm + aim.passes.high_mm);
@@ -330,7 +333,7 @@ Hint aiming_hint(const CoachView& view, const Aim& aim) {
   if (is_caught(view)) return caught_hint(view, aim);
   const std::optional<Hint> tilt = tilt_hint(view, aim, reading, slack);
   const std::optional<Hint> place = place_hint(view, aim, reading, slack);
-  if ((tilt || place) && is_at_bone) return draw_back_hint("operate.hint.clear", 3.0);
+  if ((tilt || place) && is_at_bone) return draw_back_hint("operate.hint.clear", clear_by_mm);
   if (tilt) return *tilt;
   if (place) return *place;
   if (!view.is_saw_on) return switch_hint("operate.hint.saw_on");
