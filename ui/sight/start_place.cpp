@@ -86,7 +86,8 @@ Camera start_camera(const scenarios::Scenario& scenario, simulator::Bones bones,
                                     transform_direction(bone.world_from_bone, start->up_in_bone));
     return camera;
   }
-  const double length_mm = scenario.patient.length_mm;
+  const double length_mm =
+      cut.bone == 0 ? scenario.patient.length_mm : scenario.further_bones[cut.bone - 1].length_mm;
   const double radius_mm = std::clamp(site_share_of_bone * length_mm, site_least_mm, site_most_mm);
   return standard_view(fitted(camera, Viewer{}, radius_mm, usual_aspect), StandardView::Operator);
 }

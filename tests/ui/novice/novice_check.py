@@ -4,8 +4,7 @@ with mouse or keyboard. Time on the attempt's clock and wrong turns are printed.
 must say that it was done: no gate on a deed is set off.
 
 usage: novice_check.py HALLUX --card N --hand mouse|keyboard [--to-first-cut] [--seeds 1,2,3] [--limit S] [--wrong-turns N]
-                       [--retell blank|exchanged]
-                       [--pictures FOLDER]
+                       [--retell blank|exchanged] [--theme dark|light] [--scale 1.5] [--pictures FOLDER]
        novice_check.py HALLUX --flight --hand mouse|keyboard ...
 
 With --flight it is the first flight, as it is offered on the first start.
@@ -64,6 +63,17 @@ def begin(person, number):
     wait_until("the running operation", lambda: "operate.pause" in person.widgets(), PATIENCE_S)
 
 
+def enlarge(person, scale):
+    """A tenth by each press, while it is operated."""
+    def size():
+        return person.widgets().get("operate.pause", {}).get("h")
+
+    for _ in range(round(10 * (scale - 1))):
+        before = size()
+        person.press("ctrl+plus")
+        wait_until("a larger scale", lambda before=before: size() not in (None, before), PATIENCE_S)
+
+
 def take_off(person):
     """The first flight, as it is offered."""
     wait_until("the operations", lambda: person.widgets().get("nav.operations", {}).get("enabled"), PATIENCE_S)
@@ -98,12 +108,18 @@ def is_operated(options, course, novice):
 
 def attempt(options, seed):
     """(whether it came to its end, seconds on the attempt's clock, wrong turns)"""
-    with opened_course(options.hallux, pictures=options.pictures) as course:
+
+    def prefer(course_folder):
+        course_folder.mkdir()
+        (course_folder / "window.json").write_text(json.dumps({"theme": options.theme}))
+
+    with opened_course(options.hallux, pictures=options.pictures, prepare=prefer) as course:
         come_in(course.person)
         if options.flight:
             take_off(course.person)
         else:
             begin(course.person, options.card)
+            enlarge(course.person, options.scale)
         novice = Novice(course.person, HANDS[options.hand](course.person), seed, RETELLINGS[options.retell])
 
         def is_over(screen):
@@ -136,6 +152,8 @@ def main():
     parser.add_argument("--limit", type=int, default=LIMIT_S, help="seconds of the attempt's clock")
     parser.add_argument("--wrong-turns", type=int, default=MOST_WRONG_TURNS)
     parser.add_argument("--retell", choices=RETELLINGS, default="")
+    parser.add_argument("--theme", choices=("dark", "light"), default="dark")
+    parser.add_argument("--scale", type=float, default=1.0)
     parser.add_argument("--pictures", type=pathlib.Path)
     options = parser.parse_args()
     seeds = [int(each) for each in options.seeds.split(",") if each] or [None]

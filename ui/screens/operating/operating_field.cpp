@@ -327,6 +327,7 @@ OperatingHud OperatingField::hud(const Ui& ui, Shell& shell) {
   const simulator::ToolSample& sample = running_->view.sample;
   OperatingHud hud = hud_of(sources(ui.texts()), panels_.help.is_hinted);
   hud.is_left_handed = shell.hand().is_left_handed;
+  hud.badge = shell.badge_place(ui);
   hud.tip = viewport_.place_of(transform_from(sample.world_from_tool).translation_mm);
   hud.tool = viewport_.tool_places();
   hud.inset = inset(hud.way);

@@ -3,6 +3,7 @@
 // where the kerf grew; in the blade's own, where the blade moved out of it.
 #include "ui/screens/replay/blade_inset.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -27,25 +28,33 @@ bool is_moved(const RigidTransform& bone_from_plane, const RigidTransform& bone_
          glm::length(Vec2(normal.x, normal.y)) > same_section_rad;
 }
 
-/// The hinge of the planned cut that the blade lies in.
-const scenarios::PlannedHinge* hinge_at(const scenarios::Plan& plan,
-                                        const RigidTransform& bone_from_tool, double kerf_mm) {
-  const simulator::KerfPlane plane{bone_from_tool, kerf_mm};
-  const std::size_t nearest = nearest_cut(plane, plan);
+/// Of the cuts on that bone, the hinge of the planned one that the blade lies in.
+const scenarios::PlannedHinge* hinge_at(const scenarios::Plan& plan, std::size_t bone,
+                                        const RigidTransform& first_from_tool, double kerf_mm) {
+  const simulator::KerfPlane plane{first_from_tool, kerf_mm};
+  const std::size_t nearest = nearest_cut(plane, plan, bone);
   if (nearest == plan.cuts.size()) return nullptr;
   const scenarios::PlannedCut& cut = plan.cuts[nearest];
   return misfit(plane, cut) < same_cut_misfit ? find_hinge(plan, cut.hinge) : nullptr;
 }
 
+/// The bone of the planned cut that begins nearest to the blade.
+std::int32_t bone_at(const scenarios::Plan& plan, const Vec3& tip_in_first_mm) {
+  const auto nearest =
+      std::ranges::min_element(plan.cuts, {}, [&](const scenarios::PlannedCut& cut) {
+        return squared_length(cut.entry_point_in_bone_mm - tip_in_first_mm);
+      });
+  return static_cast<std::int32_t>(nearest->bone);
+}
+
 /// As far as the section tells; nothing beside the bone.
-std::optional<WayAhead> way_in(const BladeSection& section, const scenarios::Plan* plan,
-                               const RigidTransform& bone_from_tool, double kerf_mm) {
+/// hinge  of the planned cut that the blade lies in, or null
+std::optional<WayAhead> way_in(const BladeSection& section, const scenarios::PlannedHinge* hinge,
+                               const RigidTransform& first_from_tool) {
   const simulator::BladeAhead ahead = ahead_in(section);
   if (!ahead.to_bone_mm) return std::nullopt;
-  const scenarios::PlannedHinge* const hinge =
-      plan == nullptr ? nullptr : hinge_at(*plan, bone_from_tool, kerf_mm);
   std::optional<double> to_hinge_mm;
-  if (hinge != nullptr) to_hinge_mm = way_to_hinge_mm(*hinge, bone_from_tool);
+  if (hinge != nullptr) to_hinge_mm = way_to_hinge_mm(*hinge, first_from_tool);
   return way_ahead(ahead, to_hinge_mm);
 }
 
@@ -72,10 +81,9 @@ const simulator::Bvh* BladeInset::tree_of(Shell& shell,
   return nullptr;
 }
 
-void BladeInset::renew(const simulator::BoneMoment& bone,
+void BladeInset::renew(const simulator::BoneMoment& bone, std::int32_t fragment,
                        const std::optional<simulator::KerfAtHand>& kerf,
                        const simulator::KerfPlane& own, const simulator::Bvh& tree) {
-  const std::int32_t fragment = kerf ? kerf->fragment : 0;
   const bool is_in_kerf =
       kerf && is_in_plane(kerf->opening.plane.bone_from_kerf, own.bone_from_kerf);
   const bool is_same = is_made_ && fragment_ == fragment &&
@@ -94,19 +102,29 @@ void BladeInset::draw(Ui& ui, Shell& shell, const Rect& rect,
                       const std::shared_ptr<const ReplayMaterial>& material,
                       simulator::BoneMoment& bone, const HandAtMoment& hand, bool shows_plan) {
   const std::optional<simulator::KerfAtHand> kerf = bone.kerf_at_hand();
-  const std::int32_t fragment = kerf ? kerf->fragment : 0;
+  const RigidTransform first_from_world = inverse(material->world_from_bone);
+  const RigidTransform first_from_tool = first_from_world * hand.world_from_tool;
+  const std::int32_t fragment =
+      kerf ? kerf->fragment : bone_at(material->plan, first_from_tool.translation_mm);
   if (!bone.fragment(fragment).is_there()) return;
   const simulator::Bvh* tree =
       tree_of(shell, material, {fragment, bone.fragment(fragment).stretch()});
   if (tree == nullptr) return;
   const simulator::Blade& blade = std::get<simulator::Saw>(*hand.tool.tool).blade;
-  const RigidTransform fragment_from_tool =
-      inverse(bone.world_from_fragment(fragment)) * hand.world_from_tool;
-  renew(bone, kerf, {fragment_from_tool, blade.kerf_mm}, *tree);
+  const RigidTransform world_from_fragment = bone.world_from_fragment(fragment);
+  renew(bone, fragment, kerf, {inverse(world_from_fragment) * hand.world_from_tool, blade.kerf_mm},
+        *tree);
   draw_hud_panel(ui.canvas(), ui.theme(), rect);
-  const scenarios::Plan* const plan = shows_plan && fragment == 0 ? &material->plan : nullptr;
-  BladeSection shown = blade_section(section_, fragment_from_tool, blade, plan);
-  shown.way = way_in(shown, plan, fragment_from_tool, blade.kerf_mm);
+  // The plan is said in the frame of the first bone, and of bones that are whole.
+  KerfSection section = section_;
+  section.bone_from_plane = first_from_world * world_from_fragment * section_.bone_from_plane;
+  const auto of_bone = static_cast<std::size_t>(fragment);
+  const bool is_bone = of_bone < material->bone->history->world_from_bones.size();
+  const scenarios::Plan* const plan = shows_plan && is_bone ? &material->plan : nullptr;
+  BladeSection shown = blade_section(section, first_from_tool, blade, plan);
+  const scenarios::PlannedHinge* const hinge =
+      plan == nullptr ? nullptr : hinge_at(*plan, of_bone, first_from_tool, blade.kerf_mm);
+  shown.way = way_in(shown, hinge, first_from_tool);
   draw_blade_section(ui, inset(rect, 8.0F), shown);
 }
 

@@ -16,7 +16,8 @@ namespace hallux::ui {
 class BladeInset {
  public:
   /// Draws the section of the moment that the bone stands at, in the fragment that was sawn last,
-  /// once its solid's tree is built beside the window.
+  /// before the first kerf in the bone that is to be sawn nearest to the blade, once its solid's
+  /// tree is built beside the window.
   /// shows_plan  the plan's limits and zones, too; of a fragment that is parted there are none
   /// needs       a saw is in the hand
   void draw(Ui& ui, Shell& shell, const Rect& rect,
@@ -36,8 +37,9 @@ class BladeInset {
 
   const simulator::Bvh* tree_of(Shell& shell, const std::shared_ptr<const ReplayMaterial>& material,
                                 const Solid& solid);
-  void renew(const simulator::BoneMoment& bone, const std::optional<simulator::KerfAtHand>& kerf,
-             const simulator::KerfPlane& own, const simulator::Bvh& tree);
+  void renew(const simulator::BoneMoment& bone, std::int32_t fragment,
+             const std::optional<simulator::KerfAtHand>& kerf, const simulator::KerfPlane& own,
+             const simulator::Bvh& tree);
 
   /// Null while one is being built.
   std::shared_ptr<Trees> trees_ = std::make_shared<Trees>();

@@ -19,6 +19,7 @@ namespace hallux::ui {
 namespace {
 
 constexpr float badge_inset = 0.06F, badge_share = 0.25F, badge_name_most = 220.0F;
+constexpr float badge_before_name = 46.0F, badge_after_name = 16.0F;
 constexpr float scale_step = 0.1F;
 constexpr float largest_display_scale =
     3.0F;  // beyond, the fonts' picture outgrows common textures
@@ -209,15 +210,21 @@ Rect Shell::draw_navigation(Ui& ui, const Screen& screen) {
 }
 
 // Inside the part of the picture that both eyes see whole.
-void Shell::draw_badge(Ui& ui) {
-  if (!visitor_) return;
+Rect Shell::badge_place(const Ui& ui) const {
+  if (!visitor_) return {};
   const Rect display = ui.display();
   const float name = std::min({std::ceil(ui.width_of(Type::Small, visitor_->name)) + 1.0F,
                                badge_name_most, badge_share * display.w});
-  const float width = 46.0F + name + 16.0F;
-  const Rect badge{display.w * badge_inset, display.h * badge_inset + 56.0F, width, 36.0F};
+  return {display.w * badge_inset, display.h * badge_inset + 56.0F,
+          badge_before_name + name + badge_after_name, 36.0F};
+}
+
+void Shell::draw_badge(Ui& ui) {
+  if (!visitor_) return;
+  const Rect badge = badge_place(ui);
   draw_hud_panel(ui.canvas(), ui.theme(), badge, 18.0F);
   avatar(ui, {badge.x + 22.0F, badge.mid_y()}, 12.0F, visitor_->initials, visitor_->hue);
+  const float name = badge.w - badge_before_name - badge_after_name;
   ui.canvas().text_in({badge.x + 42.0F, badge.y, name, badge.h}, {Type::Small, ui.theme().text},
                       visitor_->name, true);
 }

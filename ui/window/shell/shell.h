@@ -82,6 +82,9 @@ class Shell {
   /// What was said to somebody else goes.
   void set_visitor(std::optional<Visitor> visitor);
   const std::optional<Visitor>& visitor() const noexcept { return visitor_; }
+  /// Where their name stands over the picture of a screen without navigation; empty where nobody
+  /// is there.
+  Rect badge_place(const Ui& ui) const;
   /// How much waits at a place of the navigation; nothing where it is not there.
   void set_badge(std::string_view place, int badge);
   /// Called when a place of the navigation was chosen, with its id.

@@ -98,6 +98,14 @@ TEST(HudFading, TheFootIsAlwaysRead) {
 
 class Layout : public testing::TestWithParam<float> {};
 
+void expect_apart(const std::vector<Rect>& rects, const Rect& display) {
+  for (std::size_t i = 0; i < rects.size(); ++i) {
+    EXPECT_TRUE(display.encloses(rects[i])) << i;
+    for (std::size_t other = 0; other < i; ++other)
+      EXPECT_TRUE(intersection(rects[i], rects[other]).is_empty()) << i << " and " << other;
+  }
+}
+
 TEST_P(Layout, NoPanelLiesOverAnother) {
   for (const bool is_left_handed : {false, true}) {
     AllPanels panels(GetParam(), is_left_handed);
@@ -109,11 +117,25 @@ TEST_P(Layout, NoPanelLiesOverAnother) {
     std::vector<Rect> rects = panels.panels();
     rects.push_back(panels.place_told("operate.ahead"));
     EXPECT_GE(rects.size(), 9U);
-    for (std::size_t i = 0; i < rects.size(); ++i) {
-      EXPECT_TRUE(panels.driver.ui().display().encloses(rects[i]));
-      for (std::size_t other = 0; other < i; ++other)
-        EXPECT_TRUE(intersection(rects[i], rects[other]).is_empty()) << i << " and " << other;
-    }
+    expect_apart(rects, panels.driver.ui().display());
+  }
+}
+
+TEST_P(Layout, ManyStepsStandClearOfTheNameAndLowHintsOfTheSection) {
+  for (const std::string title : {"Cut the eminence", "Drill for the screw that holds the head"}) {
+    AllPanels panels(GetParam());
+    const Rect display = panels.driver.ui().display();
+    panels.hud.badge = {0.06F * display.w, 0.06F * display.h + 56.0F, 180.0F, 36.0F};
+    panels.hud.steps.assign(13, {.title = title});
+    panels.hud.step = 1;
+    panels.hud.step_action = "Done";
+    panels.driver.frame();
+    panels.hud.tool = {{panels.driver.widget("operate.hint").rect.centre(), 40.0F}};
+    panels.driver.frame();
+    EXPECT_TRUE(panels.answer.are_hints_low);
+    std::vector<Rect> rects = panels.panels();
+    rects.push_back(panels.hud.badge);
+    expect_apart(rects, display);
   }
 }
 

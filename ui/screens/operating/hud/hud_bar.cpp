@@ -2,6 +2,8 @@
 // is a button where it can be taken up again, and so is another that may be done next.
 #include "ui/screens/operating/hud/hud_bar.h"
 
+#include <algorithm>
+
 #include "ui/widgets/charts/timeline.h"
 #include "ui/widgets/controls/button.h"
 #include "ui/widgets/controls/marks.h"
@@ -132,16 +134,20 @@ StepsPlace place_steps(const Hud& in, float left_used, float right_used, float b
   const float discs = 16.0F + 32.0F * static_cast<float>(in.hud.steps.size()) + button_room;
   float width = discs + in.ui.width_of(Type::BodyStrong, title) + 18.0F;
   const float between = in.room.w - left_used - right_used - 2.0F * hud_gap;
-  const bool is_below = width > between;
-  const bool has_title = width <= in.room.w;
+  const float middle = in.ui.display().mid_x();
+  if (width <= between) {
+    const float low = in.room.x + left_used + hud_gap;
+    const float x = std::clamp(middle - 0.5F * width, low, low + between - width);
+    return {{x, in.room.y, width, hud_bar_height}, true};
+  }
+  // Beside the person's name, and below it where there is no room.
+  Rect row{in.room.x, in.room.y + hud_bar_height + 8.0F, in.room.w, hud_bar_height};
+  if (!intersection(in.hud.badge, row).is_empty()) take_left(row, in.hud.badge.w, 8.0F);
+  const bool has_title = width <= row.w;
   if (!has_title) width = discs;
-  const float y = is_below ? in.room.y + hud_bar_height + 8.0F : in.room.y;
-  const float middle =
-      is_below ? in.ui.display().mid_x() : in.room.x + left_used + hud_gap + 0.5F * between;
-  const float wished = in.ui.display().mid_x() - 0.5F * width;
-  const bool may_be_middle = !is_below && wished >= in.room.x + left_used + hud_gap &&
-                             wished + width <= in.room.right() - right_used - hud_gap;
-  return {{may_be_middle ? wished : middle - 0.5F * width, y, width, hud_bar_height}, has_title};
+  if (width > row.w) row = {in.room.x, in.hud.badge.bottom() + 8.0F, in.room.w, hud_bar_height};
+  const float x = std::clamp(middle - 0.5F * width, row.x, std::max(row.x, row.right() - width));
+  return {{x, row.y, width, hud_bar_height}, has_title};
 }
 
 /// The steps between mode and state, or below them where there is no room; with the button of the

@@ -78,12 +78,12 @@ Sentences readable_sentences(Hud& in, const Sentences& high, float y, float lowe
 
 }  // namespace
 
-float draw_hud_hints(Hud& in, float y, float lower_end) {
+HintsPlace draw_hud_hints(Hud& in, float y, float lower_end) {
   const Sentences high = sentences_below(in, y, widest_hint_share * in.room.w);
   const Sentences sentences = readable_sentences(in, high, y, lower_end);
   for (std::size_t i = 0; i < sentences.each.size(); ++i)
     draw_sentence(in, sentences.each[i], sentences.places[i]);
-  return high.bottom;
+  return {high.bottom, in.answer.are_hints_low ? sentences.places : std::vector<Rect>()};
 }
 
 }  // namespace hallux::ui

@@ -150,13 +150,16 @@ bool is_hint_at_side(const Hud& in) {
   return 0.5F * (1.0F - widest_hint_share) * in.room.w < inset_width + 8.0F;
 }
 
-/// The section in the blade's plane, beside the picture.
-void draw_inset(Hud& in, float y) {
+/// The section in the blade's plane, beside the picture and above low hints.
+void draw_inset(Hud& in, float y, const std::vector<Rect>& low_hints) {
   if (in.hud.inset == nullptr || in.room.w < inset_least_room) return;
   const float height =
       std::min(inset_height, in.room.bottom() - hud_panel_height - 2.0F * hud_gap - y);
-  if (height < inset_least_height) return;
-  const Rect rect = in.sided({in.room.right() - inset_width, y, inset_width, height});
+  Rect rect = in.sided({in.room.right() - inset_width, y, inset_width, height});
+  for (const Rect& hint : low_hints) {
+    if (!intersection(rect, hint).is_empty()) rect.h = hint.y - hud_gap - y;
+  }
+  if (rect.h < inset_least_height) return;
   const HudPanel panel(in, "operate.panel.inset", rect);
   const Rect title{rect.x + hud_pad, rect.y + 8.0F, rect.w - 2.0F * hud_pad, 20.0F};
   in.canvas().text_in(title, {Type::Small, in.theme().text_secondary},
@@ -182,16 +185,17 @@ HudAnswer draw_operating_hud(Ui& ui, const OperatingHud& hud) {
   const Rect room = inset(display, hud_inset_share * display.w, hud_inset_share * display.h);
   const HudFoot foot = lay_out_foot(ui, hud, room.w);
   Hud in{ui, hud, above_foot(room, display, foot), {}, ui.messages_at()};
+  if (!hud.badge.is_empty()) in.panels.push_back(hud.badge);
   draw_tip_force(in);
   const float bar_end = draw_hud_lesson(in, draw_hud_bar(in));
   draw_hud_readings(in, std::max(bar_end + 8.0F, in.room.y + badge_room));
-  const float hints_end = draw_hud_hints(in, bar_end, draw_trouble(in));
+  const HintsPlace hints = draw_hud_hints(in, bar_end, draw_trouble(in));
   const float below = std::max(in.room.y + (hud.lesson ? lesson_room : badge_room),
-                               hud.lesson || is_hint_at_side(in) ? hints_end + 8.0F : 0.0F);
+                               hud.lesson || is_hint_at_side(in) ? hints.high_bottom + 8.0F : 0.0F);
   if (hud.is_health_open) {
     draw_health(in, below);
   } else {
-    draw_inset(in, below);
+    draw_inset(in, below, hints.low);
   }
   draw_hud_foot(in, foot);
   draw_tip_label(in);

@@ -78,6 +78,8 @@ struct HudLesson {
 struct OperatingHud {
   bool is_practice = true, is_paused = false, is_reviewed = false, is_simulated = false;
   bool is_left_handed = false;
+  /// Of the person's name, which stands over the picture; empty: nobody's does.
+  Rect badge;
   std::int64_t tick = 0;
   std::vector<HudStep> steps;
   /// At which one is.
