@@ -28,7 +28,7 @@ FacePlane wall_plane(const KerfPlane& plane, std::int32_t side) noexcept {
   return {normal, glm::dot(normal, transform_point(plane.bone_from_kerf, local))};
 }
 
-/// The wall of the largest piece that has one; `piece` becomes its number, or stays 0 where none
+/// The wall of the first piece that has one; `piece` becomes its number, or stays 0 where none
 /// has.
 FaceSamples sample_wall_of_pieces(const RebuiltBone& rebuilt, const simulator::FaceSource& wall,
                                   std::size_t& piece) {

@@ -15,9 +15,18 @@ struct BoredRadius {
   }
 };
 
+struct ShaftLength {
+  double operator()(const Saw&) const noexcept { return 0.0; }
+  double operator()(const WireDriver& driver) const noexcept { return driver.wire.length_mm; }
+  double operator()(const Drill& drill) const noexcept { return drill.bit.length_mm; }
+  double operator()(const Screwdriver& driver) const noexcept { return driver.screw.length_mm; }
+};
+
 }  // namespace
 
 double bored_radius_mm(const Tool& tool) noexcept { return std::visit(BoredRadius{}, tool); }
+
+double shaft_length_mm(const Tool& tool) noexcept { return std::visit(ShaftLength{}, tool); }
 
 std::optional<ImplantSize> implant_of(const Tool& tool) noexcept {
   if (const auto* driver = std::get_if<WireDriver>(&tool))

@@ -30,6 +30,8 @@ struct ImplantSize {
 
 /// Of what a tool bores; 0: it bores nothing.
 double bored_radius_mm(const Tool& tool) noexcept;
+/// Of what bores, from the tip back to its chuck or head; 0 of a saw.
+double shaft_length_mm(const Tool& tool) noexcept;
 /// Nothing of a tool that leaves nothing in the bone.
 std::optional<ImplantSize> implant_of(const Tool& tool) noexcept;
 

@@ -141,6 +141,22 @@ ordered_json blades_json(const Scenario& scenario) {
   return blades;
 }
 
+/// What bores, each with its place on the tray.
+ordered_json boring_tools_json(const Scenario& scenario) {
+  ordered_json tools = ordered_json::array();
+  std::int32_t place = 0;
+  for (const scenarios::LaidOutTool& laid_out : scenarios::laid_out_tools(scenario)) {
+    if (!std::holds_alternative<simulator::Saw>(laid_out.tool)) {
+      tools.push_back({{"place", place},
+                       {"name", laid_out.name},
+                       {"radius_mm", bored_radius_mm(laid_out.tool)},
+                       {"shaft_mm", shaft_length_mm(laid_out.tool)}});
+    }
+    ++place;
+  }
+  return tools;
+}
+
 /// The lists of a plan. Where a patient has several bones each part says the one in whose frame it
 /// is.
 class PlanLists {
@@ -202,7 +218,8 @@ std::string plan_file(const Scenario& scenario, const simulator::Bones& bones, c
       {"implants", list.of(plan.fixation.implants, implant_json)},
       {"world_from_bone", matrix_json(bone.world_from_bone)},
       {"blade", blade_json(scenario.saw.blade)},
-      {"blades", blades_json(scenario)}};
+      {"blades", blades_json(scenario)},
+      {"boring_tools", boring_tools_json(scenario)}};
   if (bones.size() > 1) json["further_bones"] = further_bones_json(bones);
   // The names of a bone from elsewhere may be no UTF-8.
   return json.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";

@@ -175,6 +175,17 @@ TEST(PlanFile, EachCutNamesABladeOfTheTray) {
   EXPECT_EQ(plan.at("cuts").at(1).at("blade"), "narrow");
 }
 
+TEST(PlanFile, WhatBoresStandsAtItsPlaceOnTheTray) {
+  const json tools = file_of(planned("chevron")).at("boring_tools");
+  ASSERT_GT(tools.size(), 3U);
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    EXPECT_EQ(tools[i].at("place"), 2 + i) << "behind the two blades";
+    EXPECT_GT(tools[i].at("radius_mm"), 0.4);
+    EXPECT_GT(tools[i].at("shaft_mm"), 5.0);
+  }
+  EXPECT_TRUE(file_of(planned("silver")).at("boring_tools").empty());
+}
+
 TEST(PlanFile, ANameThatIsNoTextHindersNothing) {
   Planned made = planned("silver");
   made.bone.landmarks.push_back({"\xff\xfe", Vec3{1.0, 2.0, 3.0}});

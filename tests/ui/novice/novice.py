@@ -175,7 +175,7 @@ class MouseHand:
     PIXELS = {"move": 6.0, "drag": 4.0, "slow drag": 20.0}
     WAYS = {"left": (-1, 0), "right": (1, 0), "up": (0, -1), "down": (0, 1)}
     AWAY, TOWARDS = "4", "5"
-    BUTTONS = {"tray": "operate.tray.open", "forceps": "operate.forceps", "drive home": "operate.drive_home",
+    BUTTONS = {"tray": "operate.tray.open", "forceps": "operate.forceps", "drive home": "operate.drive_home", "of the water": "operate.irrigation",
                "last button": "operate.leave_or_take"}
 
     def __init__(self, person):

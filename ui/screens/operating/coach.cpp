@@ -42,7 +42,7 @@ constexpr double clear_mm = 1.0, slack_at_bone = 1.7;
 constexpr double clear_by_mm = 3.0;
 /// Out of the bone again: so far before the cut's entry.
 constexpr double out_mm = -2.0;
-/// Before a hinge pushes are gentler, which stop in time.
+/// Before a hinge pushes are gentler, which stop in time, and before the far side they are eased.
 constexpr double gentle_from_mm = 3.0, before_hinge_mm = 0.5, done_mm = 0.15;
 /// A strip before the hinge's stop that is not worth a push where the cut holds elsewhere, or
 /// nowhere.
@@ -272,6 +272,11 @@ bool is_crumb_ahead(const CoachView& view, const Aim& aim) {
   return glm::dot(aim.passes.feed_in_bone, away_mm) > -crumb_mm;
 }
 
+PushRange stroke_push(const Aim& aim, double left_mm) {
+  if (left_mm >= gentle_from_mm) return usual_push;
+  return aim.hinge != nullptr ? gentle_push : easing_push;
+}
+
 /// In a kerf: on, until the stroke is through or at the hinge; then out.
 Hint stroke_hint(const CoachView& view, const Aim& aim) {
   std::optional<double> left_mm = left_to_saw_mm(view, aim);
@@ -282,9 +287,7 @@ Hint stroke_hint(const CoachView& view, const Aim& aim) {
                           depth_mm - out_mm);
   }
   const std::string left = decimal_text(*left_mm) + " mm";
-  const bool is_gentle = aim.hinge != nullptr && *left_mm < gentle_from_mm;
-  if (is_gentle) return push_hint(view, gentle_push, left);
-  return push_hint(view, usual_push, left);
+  return push_hint(view, stroke_push(aim, *left_mm), left);
 }
 
 Hint approach_hint(double to_bone_mm) {
@@ -336,6 +339,7 @@ Hint aiming_hint(const CoachView& view, const Aim& aim) {
   if ((tilt || place) && is_at_bone) return draw_back_hint("operate.hint.clear", clear_by_mm);
   if (tilt) return *tilt;
   if (place) return *place;
+  if (!view.is_saw_on && !view.is_irrigated) return water_hint("operate.hint.water_on");
   if (!view.is_saw_on) return switch_hint("operate.hint.saw_on");
   const double depth_mm = read_passes(aim.cut, aim.passes, view.bone_from_tool).depth_mm;
   if (!ahead.to_bone_mm && depth_mm > out_mm && !is_crumb_ahead(view, aim))

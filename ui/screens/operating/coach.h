@@ -38,6 +38,7 @@ struct CoachView {
   Quat bone_from_view{1.0, 0.0, 0.0, 0.0};
   /// A saw, or the drive of another tool.
   bool is_saw_on = false;
+  bool is_irrigated = false;
   bool is_in_kerf = false, is_in_bore = false, is_paused = false;
   /// Teeth or a tip touch bone.
   bool is_touching = false;

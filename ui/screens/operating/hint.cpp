@@ -25,7 +25,7 @@ struct MoveTexts {
   bool is_turn = false;
 };
 
-constexpr std::array<MoveTexts, 24> move_texts{{
+constexpr std::array<MoveTexts, 25> move_texts{{
     {HandMove::Left, "move.left.keys", "move.left.mouse", "move.left.hand"},
     {HandMove::Right, "move.right.keys", "move.right.mouse", "move.right.hand"},
     {HandMove::Up, "move.up.keys", "move.up.mouse", "move.up.hand"},
@@ -46,6 +46,7 @@ constexpr std::array<MoveTexts, 24> move_texts{{
     {HandMove::Nearer, "move.nearer.keys", "move.nearer.mouse", "move.nearer.hand"},
     {HandMove::Deeper, "move.deeper.keys", "move.deeper.mouse", "move.deeper.hand"},
     {HandMove::SwitchSaw, "move.saw.keys", "move.saw.mouse"},
+    {HandMove::SwitchWater, "move.water.keys", "move.water.mouse"},
     {HandMove::LookAround, "move.look.keys", "move.look.mouse"},
     {HandMove::ResetView, "move.reset_view.keys", "move.reset_view.mouse"},
     {HandMove::PressStep, "move.step.keys", "move.step.mouse"},
@@ -126,6 +127,12 @@ Hint press_hint(std::string_view text_id) {
 Hint switch_hint(std::string_view text_id) {
   Hint hint{.text_id = text_id};
   hint.move = HandMove::SwitchSaw;
+  return hint;
+}
+
+Hint water_hint(std::string_view text_id) {
+  Hint hint{.text_id = text_id};
+  hint.move = HandMove::SwitchWater;
   return hint;
 }
 

@@ -31,6 +31,7 @@ enum class HandMove {
   Nearer,
   Deeper,
   SwitchSaw,
+  SwitchWater,
   LookAround,
   ResetView,
   PressStep,
@@ -73,5 +74,6 @@ std::string hint_text(const Texts& texts, const Hint& hint,
 Hint press_hint(std::string_view text_id);
 /// The drive, on or off.
 Hint switch_hint(std::string_view text_id);
+Hint water_hint(std::string_view text_id);
 
 }  // namespace hallux::ui

@@ -204,6 +204,7 @@ CoachView coach_view(const HudSources& from, const StepProgress& steps) {
           .bone_from_tool = bone_from_tool(from),
           .bone_from_view = bone_from_world * from.world_from_view,
           .is_saw_on = has(status, ToolStatus::SawOn) || has(status, ToolStatus::DriveOn),
+          .is_irrigated = has(status, ToolStatus::Irrigated),
           .is_in_kerf = has(status, ToolStatus::InKerf),
           .is_in_bore = has(status, ToolStatus::InBore),
           .is_paused = from.session.pausing().is_paused(),

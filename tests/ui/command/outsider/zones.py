@@ -2,7 +2,7 @@
 
 import math
 
-from outsider.export import RUNNING, SAW_ON, TICKS_PER_LINE
+from outsider.export import DRIVE_ON, RUNNING, SAW_ON, TICKS_PER_LINE
 from outsider.geometry import distance_of_crossing_lines, distance_to_segment, length, sub
 
 AWAY_MM, AWAY_TICKS = 0.5, 200
@@ -38,33 +38,47 @@ class Blade:
                    *(distance_of_crossing_lines(from_, to, *edge) for edge in self.edges))
 
 
+class Shaft:
+    """The line from the tip back to chuck or head, in the tool's frame."""
+
+    def __init__(self, tool):
+        self.around_mm = tool["radius_mm"]
+        self.corners = [(0.0, 0.0, 0.0), (-tool["shaft_mm"], 0.0, 0.0)]
+
+    def distance_of_line(self, from_, to):
+        """The nearest pair holds an end of either line, or lies within both."""
+        return min(*(distance_to_segment(end, from_, to) for end in self.corners),
+                   *(distance_to_segment(end, *self.corners) for end in (from_, to)),
+                   distance_of_crossing_lines(from_, to, *self.corners))
+
+
 class Watch:
     """One zone, sample by sample."""
 
     def __init__(self, zone):
-        self.zone, self.blade = zone, None
+        self.zone, self.tool = zone, None
         self.line = tuple(zone["from_in_bone_mm"]), tuple(zone["to_in_bone_mm"])
         self.contacts, self.ticks_within, self.least_mm = 0, 0, math.inf
         self.is_touched, self.away_ticks = False, 0
         # No further than it is.
         self.known_mm = 0.0
 
-    def hold(self, blade):
-        if blade is not self.blade:
-            self.blade, self.known_mm = blade, 0.0
+    def hold(self, tool):
+        if tool is not self.tool:
+            self.tool, self.known_mm = tool, 0.0
 
     def distance_mm(self, bone_from_tool, moved_mm):
-        """Exact up to the margin of a contact. A rigid blade has moved no further than the corner that moved most, so further
+        """Exact up to the margin of a contact. A rigid tool has moved no further than the corner that moved most, so further
         away a bound will do."""
         self.known_mm -= moved_mm
         if self.known_mm <= AWAY_MM:
             tool_from_bone = bone_from_tool.inverse()
-            self.known_mm = (self.blade.distance_of_line(*map(tool_from_bone.point, self.line)) -
-                             self.zone["radius_mm"] - self.blade.around_mm)
+            self.known_mm = (self.tool.distance_of_line(*map(tool_from_bone.point, self.line)) -
+                             self.zone["radius_mm"] - self.tool.around_mm)
         return self.known_mm
 
     def follow(self, distance_mm, ticks):
-        """`distance_mm` is infinite where the saw stands still."""
+        """`distance_mm` is infinite where the tool stands still."""
         self.least_mm = min(self.least_mm, distance_mm)
         if distance_mm <= 0.0:
             self.ticks_within += ticks
@@ -79,21 +93,22 @@ class Watch:
 
 
 def zone_metrics(export):
-    """The saw is on where a saw is in the hand."""
-    blades = [Blade(blade) for blade in export.blades]
+    """The saw is on where a saw is in the hand, and the drive where something else is."""
+    tools = dict(enumerate(map(Blade, export.blades)))
+    tools |= {tool["place"]: Shaft(tool) for tool in export.plan.get("boring_tools", [])}
     watches = [Watch(zone) for zone in export.plan["danger_zones"]]
     last_tick, corners = -1, []
     for sample, place in zip(export.samples, export.tools):
         ticks = min(max(sample.tick - last_tick, 0), TICKS_PER_LINE)
         last_tick = sample.tick
-        runs = sample.status & RUNNING and sample.status & SAW_ON
+        runs = sample.status & RUNNING and sample.status & (SAW_ON | DRIVE_ON)
         if runs:
             bone_from_tool, before = export.bone_from_tool(sample), corners
-            corners = [bone_from_tool.point(corner) for corner in blades[place].corners]
+            corners = [bone_from_tool.point(corner) for corner in tools[place].corners]
             moved_mm = max((length(sub(a, b)) for a, b in zip(corners, before)), default=0.0)
         for watch in watches:
             if runs:
-                watch.hold(blades[place])
+                watch.hold(tools[place])
             watch.follow(watch.distance_mm(bone_from_tool, moved_mm) if runs else math.inf, ticks)
     found = {}
     for watch in watches:

@@ -107,6 +107,8 @@ void work(VirtualOperation& operation, const Hint& hint) {
 void obey(VirtualOperation& operation, const Hint& hint) {
   if (hint.move == HandMove::SwitchSaw)
     operation.session().set_saw_on(!operation.session().saw().is_on());
+  if (hint.move == HandMove::SwitchWater)
+    operation.session().set_irrigated(!operation.session().saw().is_irrigated());
   if (hint.move == HandMove::LookAround)
     operation.world_from_view =
         operation.world_from_view * glm::angleAxis(look_rad, Vec3(0.0, 1.0, 0.0));

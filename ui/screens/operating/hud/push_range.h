@@ -11,5 +11,7 @@ struct PushRange {
 inline constexpr PushRange usual_push{6.0, 14.0};
 /// Before a hinge: it stops in time.
 inline constexpr PushRange gentle_push{2.5, 5.0};
+/// Before the far side, where bone gives way: the blade goes on by no more than the hand was ahead.
+inline constexpr PushRange easing_push{2.0, 4.0};
 
 }  // namespace hallux::ui

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "assessment/assess.h"
 #include "tests/ui/screens/operating/fixation/chevron_case.h"
 #include "tests/ui/screens/operating/obedient_hand.h"
 #include "ui/screens/operating/fixation_hints.h"
@@ -47,6 +48,16 @@ TEST_F(ChevronByHints, ComesToTheLastStep) {
   EXPECT_EQ(operation->session().asked(), Asked::Finish);
   for (std::size_t step = 0; step + 1 < operation->prepared_case().scenario.steps.size(); ++step)
     EXPECT_TRUE(operation->session().steps().is_done(step)) << step;
+}
+
+/// Its end was not declared, so the points for the time are lost.
+TEST_F(ChevronByHints, IsWorthEightyPointsAndSetsOffNoGate) {
+  const PreparedCase& prepared = operation->prepared_case();
+  const database::ScoreCard card =
+      assessment::assess_fully(prepared.scenario, prepared.bones, operation->recording(), "mouse")
+          .card;
+  EXPECT_GE(card.score_milli, 80000);
+  for (const database::GateResult& gate : card.gates) EXPECT_FALSE(gate.is_triggered) << gate.text;
 }
 
 TEST_F(ChevronByHints, PartsTheHeadLeadsItToItsPlaceAndDrivesItHome) {
