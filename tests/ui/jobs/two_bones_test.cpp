@@ -155,10 +155,9 @@ TEST_F(TwoBones, LeaveBodiesAndMetalInBoth) {
 }
 
 /// The files of an export, as anybody reads them.
-class ExportOfTwoBones : public TwoBones {
- protected:
-  ExportOfTwoBones() {
-    const AttemptMaterial& material = made->material;
+class ExportedFiles {
+ public:
+  explicit ExportedFiles(const AttemptMaterial& material) {
     const std::vector<std::byte> bones = encode_patient(material.bones);
     for (const database::DerivedFile& file :
          files_made_from({{},
@@ -192,28 +191,31 @@ class ExportOfTwoBones : public TwoBones {
     return mesh;
   }
 
+ private:
   database::TemporaryDirectory temporary_;
   std::map<std::string, std::string> files_;
 };
 
-TEST_F(ExportOfTwoBones, HasBothBonesAndAPlanThatNamesThem) {
+TEST_F(TwoBones, AreExportedWithAPlanThatNamesThem) {
+  const ExportedFiles exported(made->material);
   for (const auto& [bone, name] : {std::pair{0U, "bone.ply"}, {1U, "bone-2.ply"}}) {
-    EXPECT_NEAR(simulator::signed_volume_mm3(mesh_of(name)),
+    EXPECT_NEAR(simulator::signed_volume_mm3(exported.mesh_of(name)),
                 simulator::signed_volume_mm3(solid_of(made->material.bones[bone])), 1.0e-6);
   }
-  const json plan = json_of("plan.json");
+  const json plan = exported.json_of("plan.json");
   EXPECT_EQ(plan.at("bone"), "first_metatarsal");
   EXPECT_EQ(plan.at("further_bones").at(0).at("name"), "first_proximal_phalanx");
   EXPECT_TRUE(plan.at("further_bones").at(0).at("landmarks").contains("ip_centre"));
   EXPECT_EQ(plan.at("cuts").at(1).at("bone"), "first_proximal_phalanx");
 }
 
-TEST_F(ExportOfTwoBones, ShowsTheLedPartTouchingTheRestOfItsBoneBesideTheOther) {
-  const json fragments = json_of("fragments.json");
-  const simulator::Bvh phalanx(posed(named(fragments, "first_proximal_phalanx")));
-  const simulator::Bvh metatarsal(posed(named(fragments, "first_metatarsal")));
+TEST_F(TwoBones, AreExportedWithTheLedPartTouchingTheRestOfItsBoneBesideTheOther) {
+  const ExportedFiles exported(made->material);
+  const json fragments = exported.json_of("fragments.json");
+  const simulator::Bvh phalanx(exported.posed(named(fragments, "first_proximal_phalanx")));
+  const simulator::Bvh metatarsal(exported.posed(named(fragments, "first_metatarsal")));
   double nearest_mm = INFINITY, deepest_mm = 0.0, to_metatarsal_mm = INFINITY;
-  for (const Vec3& point_mm : posed(named(fragments, "toe_end")).points_mm) {
+  for (const Vec3& point_mm : exported.posed(named(fragments, "toe_end")).points_mm) {
     const double away_mm = phalanx.signed_distance_mm(point_mm);
     nearest_mm = std::min(nearest_mm, std::abs(away_mm));
     deepest_mm = std::max(deepest_mm, -away_mm);
