@@ -32,8 +32,8 @@ Walk walk(ToolState& tool, const ToolInput& input, const Wound& bone,
       });
 }
 
-/// What presses on teeth beside their middles, an edge of the bone at a corner of the blade or a rim
-/// between two teeth: of the tooth that bears most. What is no cortex feeds as cancellous bone.
+/// What presses on teeth beside their middles, an edge of the bone at a corner of the blade or a
+/// rim between two teeth: of the tooth that bears most. What is no cortex feeds as cancellous bone.
 Engagement pressed_teeth(const ToolState& tool, const Walk& walked, const Wound& bone) noexcept {
   const BladeContact* pressed = nullptr;
   double most_mm = 0.0;
