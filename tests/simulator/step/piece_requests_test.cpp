@@ -52,6 +52,17 @@ TEST_F(AskedPieces, AreNotDueWhereNothingWasOpened) {
   EXPECT_EQ(ask(), -1);
 }
 
+TEST_F(AskedPieces, OfABladeThatSawsOnInTwoFragmentsAreAskedOnceForEach) {
+  cut({0, 2});
+  requests_.watch({.kerf_before = 0, .kerf_after = 0, .broke_through = true});
+  for (const std::int32_t kerf : {0, 2}) {
+    EXPECT_EQ(ask(), kerf);
+    requests_.apply();
+    cut({0, 2});
+  }
+  EXPECT_EQ(ask(), -1) << "until it breaks through again, or leaves";
+}
+
 TEST_F(AskedPieces, GoOneAtATime) {
   cut({0});
   requests_.watch(leaving);
