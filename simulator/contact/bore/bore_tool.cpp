@@ -12,24 +12,24 @@ double law_cycles(double revolutions_per_minute, double sharpness) noexcept {
 }  // namespace
 
 BoreTool bore_tool(const WireDriver& driver) noexcept {
-  return {.radius_mm = 0.5 * driver.wire.diameter_mm,
-          .shaft_mm = driver.wire.length_mm,
+  return {.radius_mm = bored_radius_mm(driver),
+          .shaft_mm = shaft_length_mm(driver),
           .shoulder_radius_mm = chuck_radius_mm,
           .law_cycles_per_minute = law_cycles(driver.revolutions_per_minute, driver.sharpness),
           .turns_per_s = driver.revolutions_per_minute / 60.0};
 }
 
 BoreTool bore_tool(const Drill& drill) noexcept {
-  return {.radius_mm = 0.5 * drill.bit.diameter_mm,
-          .shaft_mm = drill.bit.length_mm,
+  return {.radius_mm = bored_radius_mm(drill),
+          .shaft_mm = shaft_length_mm(drill),
           .shoulder_radius_mm = chuck_radius_mm,
           .law_cycles_per_minute = law_cycles(drill.revolutions_per_minute, drill.sharpness),
           .turns_per_s = drill.revolutions_per_minute / 60.0};
 }
 
 BoreTool bore_tool(const Screwdriver& driver) noexcept {
-  return {.radius_mm = 0.5 * driver.screw.shaft_diameter_mm,
-          .shaft_mm = driver.screw.length_mm,
+  return {.radius_mm = bored_radius_mm(driver),
+          .shaft_mm = shaft_length_mm(driver),
           .shoulder_radius_mm = 0.5 * driver.screw.head_diameter_mm,
           .law_cycles_per_minute = law_cycles(rated_revolutions_per_minute, 1.0),
           .turns_per_s = driver.revolutions_per_minute / 60.0,

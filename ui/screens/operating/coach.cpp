@@ -339,7 +339,8 @@ Hint aiming_hint(const CoachView& view, const Aim& aim) {
   if ((tilt || place) && is_at_bone) return draw_back_hint("operate.hint.clear", clear_by_mm);
   if (tilt) return *tilt;
   if (place) return *place;
-  if (!view.is_saw_on && !view.is_irrigated) return water_hint("operate.hint.water_on");
+  if (!view.is_saw_on && !view.is_irrigated)
+    return switch_hint("operate.hint.water_on", HandMove::SwitchWater);
   if (!view.is_saw_on) return switch_hint("operate.hint.saw_on");
   const double depth_mm = read_passes(aim.cut, aim.passes, view.bone_from_tool).depth_mm;
   if (!ahead.to_bone_mm && depth_mm > out_mm && !is_crumb_ahead(view, aim))

@@ -124,15 +124,9 @@ Hint press_hint(std::string_view text_id) {
   return hint;
 }
 
-Hint switch_hint(std::string_view text_id) {
+Hint switch_hint(std::string_view text_id, HandMove which) {
   Hint hint{.text_id = text_id};
-  hint.move = HandMove::SwitchSaw;
-  return hint;
-}
-
-Hint water_hint(std::string_view text_id) {
-  Hint hint{.text_id = text_id};
-  hint.move = HandMove::SwitchWater;
+  hint.move = which;
   return hint;
 }
 

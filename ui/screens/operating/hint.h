@@ -72,8 +72,7 @@ std::string hint_text(const Texts& texts, const Hint& hint,
 
 /// Presses that button.
 Hint press_hint(std::string_view text_id);
-/// The drive, on or off.
-Hint switch_hint(std::string_view text_id);
-Hint water_hint(std::string_view text_id);
+/// The drive, on or off; or the water.
+Hint switch_hint(std::string_view text_id, HandMove which = HandMove::SwitchSaw);
 
 }  // namespace hallux::ui

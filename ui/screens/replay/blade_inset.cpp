@@ -88,10 +88,11 @@ void BladeInset::renew(const simulator::BoneMoment& bone, std::int32_t fragment,
       kerf && is_in_plane(kerf->opening.plane.bone_from_kerf, own.bone_from_kerf);
   const bool is_same = is_made_ && fragment_ == fragment &&
                        revision_ == bone.revision_of(fragment) && is_in_kerf == is_in_kerf_ &&
-                       (is_in_kerf || !is_moved(section_.bone_from_plane, own.bone_from_kerf));
+                       (is_in_kerf || !is_moved(fragment_from_plane_, own.bone_from_kerf));
   if (is_same) return;
   section_ = kerf_section(bone.fragment(fragment).solid(), tree,
                           is_in_kerf ? kerf->opening : simulator::KerfOpening{own, {}});
+  fragment_from_plane_ = section_.bone_from_plane;
   fragment_ = fragment;
   revision_ = bone.revision_of(fragment);
   is_in_kerf_ = is_in_kerf;
@@ -116,12 +117,11 @@ void BladeInset::draw(Ui& ui, Shell& shell, const Rect& rect,
         *tree);
   draw_hud_panel(ui.canvas(), ui.theme(), rect);
   // The plan is said in the frame of the first bone, and of bones that are whole.
-  KerfSection section = section_;
-  section.bone_from_plane = first_from_world * world_from_fragment * section_.bone_from_plane;
+  section_.bone_from_plane = first_from_world * world_from_fragment * fragment_from_plane_;
   const auto of_bone = static_cast<std::size_t>(fragment);
   const bool is_bone = of_bone < material->bone->history->world_from_bones.size();
   const scenarios::Plan* const plan = shows_plan && is_bone ? &material->plan : nullptr;
-  BladeSection shown = blade_section(section, first_from_tool, blade, plan);
+  BladeSection shown = blade_section(section_, first_from_tool, blade, plan);
   const scenarios::PlannedHinge* const hinge =
       plan == nullptr ? nullptr : hinge_at(*plan, of_bone, first_from_tool, blade.kerf_mm);
   shown.way = way_in(shown, hinge, first_from_tool);

@@ -43,7 +43,9 @@ class BladeInset {
 
   /// Null while one is being built.
   std::shared_ptr<Trees> trees_ = std::make_shared<Trees>();
+  /// Where its fragment lies now, in the frame of the first bone.
   KerfSection section_;
+  RigidTransform fragment_from_plane_;
   /// Of which fragment and moment, and in which plane.
   std::int32_t fragment_ = 0;
   std::uint64_t revision_ = 0;
