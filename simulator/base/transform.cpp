@@ -6,17 +6,6 @@
 
 namespace hallux {
 
-Vec3 transform_direction(const RigidTransform& to_from_from, const Vec3& direction) noexcept {
-  const Quat& q = to_from_from.rotation;
-  const Vec3 axis{q.x, q.y, q.z};
-  const Vec3 turn = 2.0 * glm::cross(axis, direction);
-  return direction + q.w * turn + glm::cross(axis, turn);
-}
-
-Vec3 transform_point(const RigidTransform& to_from_from, const Vec3& point_mm) noexcept {
-  return transform_direction(to_from_from, point_mm) + to_from_from.translation_mm;
-}
-
 RigidTransform operator*(const RigidTransform& a_from_b, const RigidTransform& b_from_c) noexcept {
   return {a_from_b.rotation * b_from_c.rotation,
           transform_point(a_from_b, b_from_c.translation_mm)};

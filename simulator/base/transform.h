@@ -14,10 +14,18 @@ struct RigidTransform {
   friend bool operator==(const RigidTransform&, const RigidTransform&) = default;
 };
 
-/// The point `p` of the right-hand frame, said in the left-hand frame [mm].
-Vec3 transform_point(const RigidTransform& to_from_from, const Vec3& point_mm) noexcept;
 /// The direction `d` of the right-hand frame, said in the left-hand frame; its length stays.
-Vec3 transform_direction(const RigidTransform& to_from_from, const Vec3& direction) noexcept;
+inline Vec3 transform_direction(const RigidTransform& to_from_from,
+                                const Vec3& direction) noexcept {
+  const Quat& q = to_from_from.rotation;
+  const Vec3 axis{q.x, q.y, q.z};
+  const Vec3 turn = 2.0 * glm::cross(axis, direction);
+  return direction + q.w * turn + glm::cross(axis, turn);
+}
+/// The point `p` of the right-hand frame, said in the left-hand frame [mm].
+inline Vec3 transform_point(const RigidTransform& to_from_from, const Vec3& point_mm) noexcept {
+  return transform_direction(to_from_from, point_mm) + to_from_from.translation_mm;
+}
 RigidTransform operator*(const RigidTransform& a_from_b, const RigidTransform& b_from_c) noexcept;
 RigidTransform inverse(const RigidTransform& a_from_b) noexcept;
 /// The right-hand frame's axes, said in the left-hand frame.

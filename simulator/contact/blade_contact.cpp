@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "simulator/contact/tool_motion.h"
@@ -23,10 +24,10 @@ constexpr double tooth_radius_mm = 0.1;
 constexpr double direction_mm = 1.0e-5;
 /// How deep a point may be in bone and still be led out.
 constexpr double way_out_mm = 1.0;
+/// However far a surface is.
+constexpr double any_mm = std::numeric_limits<double>::infinity();
 /// Behind a surface, to ask whether bone stands there.
 constexpr double behind_mm = 1.0e-3;
-/// Above the rounding of a distance.
-constexpr double rounding_mm = 1.0e-6;
 /// Dear answers (walls, rims, missing pieces) in one search; points beyond that are taken to be
 /// free.
 constexpr int dear_limit = 12;
@@ -70,13 +71,15 @@ class ContactSearch {
   /// learns what was asked.
   std::optional<NearSurface> near_surface(const Vec3& point_mm, double within_mm,
                                           SurfaceMemory& memory) noexcept {
-    const double moved_mm = length_of(point_mm - memory.asked_mm);
+    const double moved_mm = memory.moved_mm(point_mm);
     if (memory.is_known && memory.clearance_mm - moved_mm > within_mm) return std::nullopt;
+    if (bone_.surface().outside_box_mm(point_mm) > within_mm) return std::nullopt;
     // In its own slot a blade is between two walls, which its teeth feel.
     if (bone_.removed_pieces.empty() && bone_.kerfs.is_open(point_mm)) return std::nullopt;
     if (memory.is_known && memory.clearance_mm + moved_mm < -way_out_mm)
       return near_inside(point_mm, within_mm, std::nullopt);
-    const std::optional<NearestPoint> found = nearest_skin(point_mm, memory, moved_mm);
+    const std::optional<NearestPoint> found =
+        nearest_by_memory(bone_.surface(), point_mm, any_mm, memory);
     if (!found) return std::nullopt;
     const double side = found->is_inside ? -1.0 : 1.0;
     memory = {point_mm, side * found->distance_mm, true};
@@ -91,16 +94,6 @@ class ContactSearch {
   }
 
  private:
-  /// What was known bounds the search; its answer is the same.
-  std::optional<NearestPoint> nearest_skin(const Vec3& point_mm, const SurfaceMemory& memory,
-                                           double moved_mm) const noexcept {
-    const Bvh& surface = bone_.surface();
-    if (!memory.is_known) return surface.nearest(point_mm);
-    const double most_mm = std::abs(memory.clearance_mm) + moved_mm + rounding_mm;
-    const std::optional<NearestPoint> found = surface.nearest(point_mm, most_mm);
-    return found ? found : surface.nearest(point_mm);
-  }
-
   bool is_gone(const Vec3& point_mm) const noexcept {
     return bone_.kerfs.is_open(point_mm) || bone_.remaining().is_taken_out(point_mm);
   }

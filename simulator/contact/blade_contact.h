@@ -14,6 +14,7 @@
 #include <array>
 #include <span>
 
+#include "simulator/contact/surface_memory.h"
 #include "simulator/contact/wound.h"
 
 namespace hallux::simulator {
@@ -24,13 +25,6 @@ inline constexpr std::size_t contact_columns = 5;
 inline constexpr std::size_t contact_point_count =
     contact_tooth_count + contact_rows * contact_columns;
 
-/// The original surface's distance where it was asked for last: most points need no search. The
-/// answers are the same without it.
-struct SurfaceMemory {
-  Vec3 asked_mm{0.0, 0.0, 0.0};
-  double clearance_mm = 0.0;
-  bool is_known = false;
-};
 using BladeMemory = std::array<SurfaceMemory, contact_point_count>;
 
 /// A blade may touch so many fragments at once; what it touches of others is not felt.

@@ -23,10 +23,11 @@ double deflection_mm(const BladeBeam& beam, double side_force_newton) noexcept {
 
 double free_length_mm(const RigidTransform& bone_from_tool, double depth_mm,
                       const Wound& bone) noexcept {
+  OfFragments<SurfaceMemory> memory;
   double from_collar_mm = 0.0;
   while (from_collar_mm < depth_mm) {
     const Vec3 point = transform_point(bone_from_tool, Vec3{from_collar_mm - depth_mm, 0.0, 0.0});
-    const double clearance_mm = bone.clearance_mm(point);
+    const double clearance_mm = bone.clearance_mm(point, memory);
     if (clearance_mm <= near_mm) return from_collar_mm;
     from_collar_mm += std::max(step_mm, clearance_mm);
   }

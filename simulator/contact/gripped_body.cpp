@@ -20,6 +20,8 @@ constexpr double direction_mm = 1.0e-5;
 constexpr double driven_grip_mm = 8.0;
 /// Bone on bone, from rest, and of it while it slides.
 constexpr double bone_friction = 0.2, bone_kinetic_ratio = 0.8;
+/// A part of a way that is shorter than it could be by less is whole.
+constexpr double rounding_mm = 1.0e-9;
 /// Of a contact, for a claim.
 constexpr double touching_mm = 0.02;
 
@@ -50,10 +52,10 @@ struct NearSurface {
 /// The surface within the distance of a point of its frame; the memory learns what was asked.
 std::optional<NearSurface> near_surface(const Bvh& surface, const Vec3& point_mm, double within_mm,
                                         SurfaceMemory& memory) noexcept {
-  const double moved_mm = length_of(point_mm - memory.asked_mm);
+  const double moved_mm = memory.moved_mm(point_mm);
   if (memory.is_known && std::abs(memory.clearance_mm) - moved_mm > within_mm) return std::nullopt;
   const double looked_mm = within_mm + tick_travel_limit_mm;
-  const std::optional<NearestPoint> found = surface.nearest(point_mm, looked_mm);
+  const std::optional<NearestPoint> found = nearest_by_memory(surface, point_mm, looked_mm, memory);
   if (!found) {
     memory = {point_mm, looked_mm, true};
     return std::nullopt;
@@ -250,12 +252,11 @@ GrippedOutcome move_gripped(GrippedBody& gripped, const RigidTransform& wound_fr
   const Vec3 from_mm = lead.pose.translation_mm;
   double left_mm = tick_travel_limit_mm;
   for (int part = 0; part < walk_part_limit && left_mm > 0.0; ++part) {
-    const ProxyMotion wanted = lead.motion();
-    const double asked_mm = reach_of(wanted, lead.radius_mm);
     const double most_mm = std::min(walk_part_mm, left_mm);
-    const double gone_mm = go_on(gripped, lead, wanted, most_mm, outcome);
+    const double gone_mm = go_on(gripped, lead, lead.motion(), most_mm, outcome);
     left_mm -= gone_mm;
-    if (asked_mm <= most_mm || !(gone_mm > 0.0) || drive_mm) break;
+    // What contacts stopped short of a whole part goes on in the next tick.
+    if (gone_mm + rounding_mm < most_mm || drive_mm) break;
   }
   gripped.wound_from_piece = from_centroid(lead.pose, gripped.centroid_mm);
   outcome.moved_mm = length_of(lead.pose.translation_mm - from_mm);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "simulator/contact/surface_memory.h"
 #include "simulator/cutting/field/kerf_set.h"
 #include "simulator/cutting/remaining/remaining_bone.h"
 #include "simulator/mesh/bone.h"
@@ -17,14 +18,8 @@ enum class Tissue : std::uint8_t { None, Marrow, Cancellous, Cortical };
 /// What was asked near a point before: distances change by no more than the way since, so most
 /// answers need no search. Part of the state of whoever asks; the answers are the same without it.
 struct TissueMemory {
-  Vec3 outer_asked_mm{0.0, 0.0, 0.0}, canal_asked_mm{0.0, 0.0, 0.0}, part_asked_mm{0.0, 0.0, 0.0};
-  /// To the outer surface, at outer_asked_mm.
-  double clearance_mm = 0.0;
-  /// To the canal's wall, above 0 in the marrow, at canal_asked_mm.
-  double canal_mm = 0.0;
-  /// To the surface of the part, negative inside, at part_asked_mm.
-  double part_mm = 0.0;
-  bool knows_outer = false, knows_canal = false, knows_part = false;
+  /// Of the canal's wall the clearance is above 0 in the marrow.
+  SurfaceMemory outer, canal, part;
 };
 
 /// The tissues of the original bone. Always asked of the original surface: a cut face is not
@@ -45,7 +40,7 @@ class TissueMap {
   const Bvh& surface() const noexcept { return outer_; }
 
  private:
-  bool is_marrow(const Vec3& point_in_bone_mm, TissueMemory& memory) const noexcept;
+  bool is_marrow(const Vec3& point_in_bone_mm, SurfaceMemory& memory) const noexcept;
 
   Bvh outer_;
   std::optional<Bvh> canal_;

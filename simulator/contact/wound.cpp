@@ -20,10 +20,21 @@ KerfPlane Wound::plane(std::int32_t kerf) const noexcept {
 }
 
 double Wound::clearance_mm(const Vec3& point_in_wound_mm) const noexcept {
+  OfFragments<SurfaceMemory> nothing;
+  return clearance_mm(point_in_wound_mm, nothing);
+}
+
+double Wound::clearance_mm(const Vec3& point_in_wound_mm,
+                           OfFragments<SurfaceMemory>& memory) const noexcept {
   double least_mm = std::numeric_limits<double>::infinity();
-  visit_near(point_in_wound_mm, least_mm, [&](std::int32_t, const WoundFragment& standing) {
+  visit_near(point_in_wound_mm, least_mm, [&](std::int32_t number, const WoundFragment& standing) {
     const Vec3 point_mm = standing.point_from(point_in_wound_mm);
-    least_mm = std::min(least_mm, standing.tissue.clearance_mm(point_mm));
+    const Bvh& surface = standing.tissue.surface();
+    SurfaceMemory& known = memory[static_cast<std::size_t>(number)];
+    if (known.is_known && known.clearance_mm - known.moved_mm(point_mm) >= least_mm) return;
+    if (surface.outside_box_mm(point_mm) >= least_mm) return;
+    known = {point_mm, clearance_by_memory(surface, point_mm, known), true};
+    least_mm = std::min(least_mm, known.clearance_mm);
   });
   return least_mm;
 }

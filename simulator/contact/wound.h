@@ -86,6 +86,8 @@ class Wound {
   }
   /// Distance to the nearest fragment's surface as it was before its kerfs, negative inside [mm].
   double clearance_mm(const Vec3& point_in_wound_mm) const noexcept;
+  double clearance_mm(const Vec3& point_in_wound_mm,
+                      OfFragments<SurfaceMemory>& memory) const noexcept;
 
  private:
   static bool is_near(const WoundFragment& standing, const Vec3& point_in_wound_mm,

@@ -190,6 +190,13 @@ std::optional<NearestPoint> Bvh::nearest(const Vec3& point_mm, double within_mm)
   return nearest;
 }
 
+double Bvh::outside_box_mm(const Vec3& point_mm) const noexcept {
+  if (tree_->nodes.empty()) return std::numeric_limits<double>::infinity();
+  const std::array<TreeBox, 2>& boxes = tree_->nodes.front().box;
+  return std::sqrt(
+      std::min(squared_distance(boxes[0], point_mm), squared_distance(boxes[1], point_mm)));
+}
+
 double Bvh::signed_distance_mm(const Vec3& point_mm, double within_mm) const noexcept {
   const std::optional<NearestPoint> found = nearest(point_mm, within_mm);
   if (found) return found->is_inside ? -found->distance_mm : found->distance_mm;

@@ -60,6 +60,9 @@ class Bvh {
   std::optional<NearestPoint> nearest(
       const Vec3& point_mm,
       double within_mm = std::numeric_limits<double>::infinity()) const noexcept;
+  /// Nearer than this no triangle is, and where it is above 0 the point lies outside [mm].
+  /// thread  any; allocates nothing
+  double outside_box_mm(const Vec3& point_mm) const noexcept;
   /// Negative inside [mm]. Where no surface is within `within_mm` the sign still holds and the size
   /// is `within_mm`.
   double signed_distance_mm(

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 
 #include "simulator/base/units.h"
@@ -39,6 +40,19 @@ TEST_F(TwoBlocks, AreAskedEachInItsOwnFrame) {
   EXPECT_NEAR(wound_.clearance_mm({15.0, 0.0, 0.0}), 5.0, 1e-9) << "as near to one as to the other";
   EXPECT_NEAR(wound_.clearance_mm({38.0, 0.0, 0.0}), -2.0, 1e-9);
   EXPECT_NEAR(wound_.clearance_mm({45.0, 0.0, 0.0}), 5.0, 1e-9);
+}
+
+TEST_F(TwoBlocks, ClearancesAreTheSameWithWhatIsRemembered) {
+  OfFragments<SurfaceMemory> memory;
+  for (int i = 0; i <= 400; ++i) {
+    const Vec3 point_mm{-15.0 + 0.15 * i, 0.05 * (i % 37) - 9.0, 3.0};
+    EXPECT_EQ(wound_.clearance_mm(point_mm, memory), wound_.clearance_mm(point_mm)) << i;
+    EXPECT_EQ(
+        wound_.clearance_mm(point_mm),
+        std::min(wound_.fragment(0)->tissue.clearance_mm(point_mm),
+                 wound_.fragment(1)->tissue.clearance_mm(wound_.fragment(1)->point_from(point_mm))))
+        << i;
+  }
 }
 
 TEST_F(TwoBlocks, TeethStandInWhicheverOfThem) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "simulator/base/random.h"
 #include "simulator/base/units.h"
@@ -206,10 +207,28 @@ TEST(Bvh, SlabAlongAFaceFindsThatFace) {
   EXPECT_TRUE(found.empty());
 }
 
+TEST(Bvh, NothingIsNearerThanItsBox) {
+  const IndexedMesh mesh = skew_tube();
+  const Bvh bvh{mesh};
+  Random random{2};
+  int outside = 0;
+  for (int i = 0; i < 400; ++i) {
+    const Vec3 point = any_point(random, 60.0);
+    const double outside_mm = bvh.outside_box_mm(point);
+    ASSERT_LE(outside_mm, nearest_by_force_mm(mesh, point) + 1.0e-12);
+    if (!(outside_mm > 0.0)) continue;
+    ++outside;
+    ASSERT_FALSE(bvh.contains(point));
+  }
+  EXPECT_GT(outside, 100);
+  EXPECT_EQ(bvh.outside_box_mm(Vec3{3.0, -2.0, 1.0}), 0.0) << "in the middle of the tube";
+}
+
 TEST(Bvh, OfNothingFindsNothing) {
   const Bvh bvh{IndexedMesh{}};
   EXPECT_FALSE(bvh.nearest(Vec3{0.0, 0.0, 0.0}));
   EXPECT_FALSE(bvh.contains(Vec3{0.0, 0.0, 0.0}));
+  EXPECT_EQ(bvh.outside_box_mm(Vec3{0.0, 0.0, 0.0}), std::numeric_limits<double>::infinity());
   EXPECT_FALSE(bvh.first_hit(Vec3{0.0, 0.0, 0.0}, Vec3{1.0, 0.0, 0.0}));
 }
 
