@@ -5,6 +5,7 @@
 
 #include "assessment/rebuild/bone_surfaces.h"
 #include "assessment/rebuild/planned_implants.h"
+#include "assessment/rebuild/recording_begin.h"
 #include "scenarios/site/plan_in_first.h"
 #include "simulator/cutting/hole/axis_clearance.h"
 #include "simulator/cutting/hole/bore_set.h"
@@ -211,6 +212,49 @@ bool engages(const PlacedImplant& implant, const std::string& body) {
   return std::find(implant.engages.begin(), implant.engages.end(), body) != implant.engages.end();
 }
 
+/// The bone that stood when something was left that was taken out again: later kerfs may run where
+/// it lay.
+class EarlierBone {
+ public:
+  EarlierBone(const simulator::Recording& recording, const RebuiltBone& last,
+              const std::vector<Body>& last_bodies, const simulator::Bones& bones,
+              const scenarios::Plan& plan)
+      : recording_(recording), last_(last), last_bodies_(last_bodies), bones_(bones), plan_(plan) {}
+
+  /// Makes `rebuilt` and `bodies` those of then: of the last tick where nothing was sawn since.
+  void go_to(const Leaving& leaving) {
+    if (!is_sawn_between(recording_, leaving.tick, last_tick())) {
+      at_tick_ = last_tick();
+    } else if (!is_same_bone(leaving)) {
+      then_ = rebuild(bones_, last_.fields.tray(), begin_of(recording_, leaving.tick), {}, nullptr,
+                      {}, hinges_of(plan_));
+      then_bodies_ = bodies_of(*then_, plan_, bones_);
+      at_tick_ = leaving.tick;
+    }
+  }
+  const RebuiltBone& rebuilt() const noexcept { return at_tick_ == last_tick() ? last_ : *then_; }
+  const std::vector<Body>& bodies() const noexcept {
+    return at_tick_ == last_tick() ? last_bodies_ : then_bodies_;
+  }
+
+ private:
+  std::int64_t last_tick() const noexcept { return recording_.samples.back().tick; }
+  /// As when it was rebuilt for the leaving before.
+  bool is_same_bone(const Leaving& leaving) const noexcept {
+    return at_tick_ < last_tick() && !is_sawn_between(recording_, at_tick_, leaving.tick) &&
+           then_->fields.fragments().count() == leaving.fragments.count();
+  }
+
+  const simulator::Recording& recording_;
+  const RebuiltBone& last_;
+  const std::vector<Body>& last_bodies_;
+  const simulator::Bones& bones_;
+  const scenarios::Plan& plan_;
+  std::int64_t at_tick_ = last_tick();
+  std::optional<RebuiltBone> then_;
+  std::vector<Body> then_bodies_;
+};
+
 }  // namespace
 
 Fixation fixation_of(const simulator::Recording& recording, const RebuiltBone& rebuilt,
@@ -220,15 +264,18 @@ Fixation fixation_of(const simulator::Recording& recording, const RebuiltBone& r
   const Left left(recording, rebuilt, bones);
   if (left.bores.count() == 0) return fixation;
   const BoneSurfaces skins(bones);
+  EarlierBone earlier(recording, rebuilt, bodies, bones, plan);
   for (std::int32_t number = 0; number < left.implants.count(); ++number) {
     const simulator::Implant& implant = left.implants[number];
     const Leaving& leaving = left.leavings[static_cast<std::size_t>(number)];
-    const simulator::FragmentPoses& fragments =
-        implant.is_taken ? leaving.fragments : rebuilt.fields.fragments();
-    const std::vector<LyingBody> lie = lying(bodies, rebuilt, fragments, bones);
-    const Axis axis = axis_in_first(
-        implant, pose_of(implant.fragment, fragments, rebuilt.fields.fragments(), bones));
-    PlacedImplant placed = place(implant, axis, lie, rebuilt, skins);
+    if (implant.is_taken) earlier.go_to(leaving);
+    const RebuiltBone& then = implant.is_taken ? earlier.rebuilt() : rebuilt;
+    const simulator::FragmentPoses& last = then.fields.fragments();
+    const simulator::FragmentPoses& fragments = implant.is_taken ? leaving.fragments : last;
+    const std::vector<LyingBody> lie =
+        lying(implant.is_taken ? earlier.bodies() : bodies, then, fragments, bones);
+    const Axis axis = axis_in_first(implant, pose_of(implant.fragment, fragments, last, bones));
+    PlacedImplant placed = place(implant, axis, lie, then, skins);
     placed.tip_to_joint_mm = joint_clearance_mm(placed, lie, bones, plan);
     placed.left_tick = leaving.tick;
     (implant.is_taken ? fixation.taken : fixation.implants).push_back(std::move(placed));

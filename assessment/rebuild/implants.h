@@ -12,8 +12,8 @@
 
 namespace hallux::assessment {
 
-/// All points in the first bone as it lies; of what was taken out again, as it lay when it was
-/// left.
+/// All points in the first bone as it lies; of what was taken out again, as it lay in the bone that
+/// stood when it was left.
 struct PlacedImplant {
   bool is_screw = false;
   /// Where its axis first goes into bone from the head or the driver; where it meets none, its end.

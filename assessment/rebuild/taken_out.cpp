@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "assessment/rebuild/recording_begin.h"
 #include "simulator/jobs/recorded_jobs.h"
 
 namespace hallux::assessment {
@@ -19,7 +20,6 @@ using simulator::Bvh;
 using simulator::CutEvent;
 using simulator::CutEventKind;
 using simulator::Recording;
-using simulator::ToolStatus;
 
 /// The tick whose kerfs the last job of pieces before a removal saw; the removal's own without one.
 std::int64_t seen_tick(const std::vector<simulator::RecordedJob>& jobs, std::int64_t removal_tick) {
@@ -29,26 +29,6 @@ std::int64_t seen_tick(const std::vector<simulator::RecordedJob>& jobs, std::int
       seen = job.request.tick;
   }
   return seen >= 0 ? seen : removal_tick;
-}
-
-bool is_sawn_after(const Recording& recording, std::int64_t tick) {
-  const auto first = std::partition_point(
-      recording.samples.begin(), recording.samples.end(),
-      [tick](const simulator::ToolSample& sample) { return sample.tick <= tick; });
-  return std::any_of(first, recording.samples.end(), [](const simulator::ToolSample& sample) {
-    return sample.kerf >= 0 && has(sample.status, ToolStatus::SawOn);
-  });
-}
-
-Recording begin_of(const Recording& recording, std::int64_t last_tick) {
-  Recording begin;
-  begin.engine = recording.engine;
-  const auto is_within = [last_tick](const auto& row) { return row.tick <= last_tick; };
-  std::copy_if(recording.samples.begin(), recording.samples.end(),
-               std::back_inserter(begin.samples), is_within);
-  std::copy_if(recording.events.begin(), recording.events.end(), std::back_inserter(begin.events),
-               is_within);
-  return begin;
 }
 
 std::int64_t volume_thousandths(const Recording& recording, std::int32_t piece) {
@@ -123,7 +103,7 @@ std::vector<TakenOut> pieces_taken_out(const RebuiltBone& rebuilt, simulator::Bo
     const std::int64_t seen = seen_tick(jobs, event.tick);
     const std::size_t bone = bone_of_piece(recording, i, rebuilt.fields.fragments());
     std::unique_ptr<const Bvh> body;
-    if (is_sawn_after(recording, seen)) {
+    if (is_sawn_between(recording, seen, recording.samples.back().tick)) {
       const RebuiltBone then =
           rebuild(bones, rebuilt.fields.tray(), begin_of(recording, seen), progress);
       body = body_of(then, recording, event, bone);

@@ -87,6 +87,22 @@ class Fixed : public SawnBar {
     run_.hold(3);
   }
 
+  /// Five millimetres of the bar, with all that lay in them.
+  void saw_end_off() {
+    const auto over = [](double y_mm) { return tests::blade_down({10.0, y_mm, 0.0}); };
+    run_.glide(over(40.0), 600);
+    run_.step({{simulator::CommandKind::ChooseTool, 0, 0}});
+    run_.hold(3);
+    run_.glide(over(12.0), 300);
+    run_.glide(over(-9.0), 2300);
+    run_.hold(1500);
+    run_.glide(over(30.0), 400);
+    const auto freed = run_.events(simulator::CutEventKind::PieceFreed);
+    run_.step({{simulator::CommandKind::PickUp, freed.back().subject, 0}});
+    run_.hold(20);
+    ASSERT_EQ(run_.events(simulator::CutEventKind::PieceRemoved).size(), 1U);
+  }
+
   scenarios::Scenario scenario_;
   std::vector<Measurement> all_;
 };
@@ -237,6 +253,22 @@ TEST_F(Fixed, WhatWasToComeOutAgainIsMeasuredAsItWasLeft) {
   measure(plan);
   EXPECT_NEAR(value("entry_mm", "pin"), 0.0, 0.01);
   EXPECT_EQ(value("cortices", "pin"), 1.0);
+}
+
+TEST_F(Fixed, WhatWasToComeOutAgainIsMeasuredInTheBoneThatWasSawnAwayLater) {
+  lead({0.0, 0.0, 0.0});
+  for (const double z_mm : {-1.0, 1.0}) {
+    set_wire(1.0, z_mm);
+    take(z_mm < 0.0 ? 0 : 1);
+  }
+  saw_end_off();
+  scenarios::Plan plan = plan_of_a_pin();
+  plan.fixation.implants[0].is_temporary = true;
+  measure(plan);
+  EXPECT_NEAR(value("entry_mm", "pin"), 0.0, 0.01) << "where it went in is no bone any more";
+  EXPECT_NEAR(value("length_error_mm", "pin"), 0.0, 0.3);
+  EXPECT_EQ(value("cortices", "pin"), 1.0);
+  EXPECT_EQ(value("insertions", "pin"), 2.0);
 }
 
 TEST_F(Fixed, OfAlternativesThatWhichWasCarriedOutIsMeasuredAndTheOtherLosesNothing) {
