@@ -11,8 +11,8 @@
 
 namespace hallux::database {
 
-/// A point on a body: 0... are the patient's bones as they were, then the pieces by number. In the
-/// frame of its bone, before anything moved.
+/// A point on a body: 0 is any of the patient's bones, then the pieces by number. In the frame of
+/// the first bone, or of the one that the piece came of, before anything moved.
 struct BonePoint {
   std::int32_t body = 0;
   std::array<double, 3> point_in_bone_mm{};

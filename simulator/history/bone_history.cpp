@@ -13,6 +13,29 @@ namespace {
 /// Of the whole work; the rest is stretches.
 constexpr double spans_share = 0.3;
 
+/// A place on the fragment that it came to be on, and its height above that.
+struct NearPart {
+  PlaceOnFragment place;
+  double off_mm = std::numeric_limits<double>::infinity();
+};
+
+/// Of the fragment that a place is said on and those that were parted from it, the one whose solid
+/// holds it, else the nearest. A fragment is parted from one of a lower number.
+NearPart nearest_part(const std::vector<FragmentHistory>& fragments, const PlaceOnFragment& place) {
+  NearPart nearest{place};
+  std::vector<bool> is_of(fragments.size(), false);
+  for (std::size_t i = 0; i < fragments.size(); ++i) {
+    const std::int32_t parent = fragments[i].origin.parent;
+    is_of[i] = static_cast<std::int32_t>(i) == place.fragment ||
+               (parent >= 0 && is_of[static_cast<std::size_t>(parent)]);
+    if (!is_of[i] || fragments[i].whole == nullptr) continue;
+    const double off_mm = fragments[i].whole->tree.signed_distance_mm(place.point_mm);
+    if (off_mm >= nearest.off_mm) continue;
+    nearest = {{static_cast<std::int32_t>(i), place.point_mm}, off_mm};
+  }
+  return nearest;
+}
+
 }  // namespace
 
 RigidTransform BoneHistory::world_from_fragment(std::int32_t fragment,
@@ -22,22 +45,26 @@ RigidTransform BoneHistory::world_from_fragment(std::int32_t fragment,
       tick, world_from_bones[static_cast<std::size_t>(history.origin.bone)]);
 }
 
-/// A fragment is parted from one of a lower number.
 PlaceOnFragment BoneHistory::place_at_last(const PlaceOnFragment& place) const {
-  PlaceOnFragment found = place;
-  double least_mm = std::numeric_limits<double>::infinity();
-  std::vector<bool> is_of(fragments.size(), false);
-  for (std::size_t i = 0; i < fragments.size(); ++i) {
-    const std::int32_t parent = fragments[i].origin.parent;
-    is_of[i] = static_cast<std::int32_t>(i) == place.fragment ||
-               (parent >= 0 && is_of[static_cast<std::size_t>(parent)]);
-    if (!is_of[i] || fragments[i].whole == nullptr) continue;
-    const double off_mm = fragments[i].whole->tree.signed_distance_mm(place.point_mm);
-    if (off_mm >= least_mm) continue;
-    least_mm = off_mm;
-    found.fragment = static_cast<std::int32_t>(i);
+  return nearest_part(fragments, place).place;
+}
+
+PlaceOnFragment BoneHistory::place_at_last(const Vec3& point_in_first_mm) const {
+  const Vec3 in_world_mm = transform_point(world_from_bones.front(), point_in_first_mm);
+  NearPart nearest{{0, point_in_first_mm}};
+  for (std::size_t bone = 0; bone < world_from_bones.size(); ++bone) {
+    const Vec3 point_mm = transform_point(inverse(world_from_bones[bone]), in_world_mm);
+    const NearPart part = nearest_part(fragments, {static_cast<std::int32_t>(bone), point_mm});
+    if (part.off_mm < nearest.off_mm) nearest = part;
   }
-  return found;
+  return nearest.place;
+}
+
+Vec3 BoneHistory::point_in_first_mm(const PlaceOnFragment& place) const noexcept {
+  const std::int32_t bone = fragments[static_cast<std::size_t>(place.fragment)].origin.bone;
+  if (bone == 0) return place.point_mm;
+  const RigidTransform& world_from_bone = world_from_bones[static_cast<std::size_t>(bone)];
+  return transform_point(inverse(world_from_bones.front()) * world_from_bone, place.point_mm);
 }
 
 Vec3 BoneHistory::world_place_mm(const PlaceOnFragment& place, std::int64_t tick) const noexcept {

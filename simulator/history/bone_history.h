@@ -56,6 +56,10 @@ struct BoneHistory {
   /// The same place in the fragment that it belongs to at last: of the one that is said and those
   /// that were parted from it, the one whose solid holds it, else the nearest.
   PlaceOnFragment place_at_last(const PlaceOnFragment& place) const;
+  /// Likewise of a place that is said in the frame of the first bone, whichever bone it is on.
+  PlaceOnFragment place_at_last(const Vec3& point_in_first_mm) const;
+  /// In the frame of the first bone, before anything was moved.
+  Vec3 point_in_first_mm(const PlaceOnFragment& place) const noexcept;
   /// Where it is in the world after that tick; while its fragment is a part of another one, where
   /// that lies.
   Vec3 world_place_mm(const PlaceOnFragment& place, std::int64_t tick) const noexcept;

@@ -116,5 +116,30 @@ TEST_P(TwinPieces, TheKerfAtHandIsTheOneThatGrewLastAsFarAsItIsOpen) {
 
 INSTANTIATE_TEST_SUITE_P(BoneHistory, TwinPieces, testing::Values(1, 2));
 
+/// Two blocks that lie apart and turned; nothing was sawn.
+BoneHistory two_bones() {
+  BoneHistory history;
+  history.world_from_bones = {
+      {rotation_about(Vec3(0.0, 1.0, 0.0), 0.5), Vec3(5.0, 0.0, 0.0)},
+      {rotation_about(Vec3(0.0, 0.0, 1.0), 1.0), Vec3(5.0, 0.0, 40.0)},
+  };
+  for (const std::int32_t bone : {0, 1}) {
+    FragmentHistory& fragment = history.fragments.emplace_back();
+    fragment.origin.bone = bone;
+    fragment.whole = std::make_unique<WholeBone>(block().outer);
+  }
+  return history;
+}
+
+TEST(BoneHistory, APlaceSaidInTheFirstBonesFrameIsOnTheBoneThatHoldsIt) {
+  const BoneHistory history = two_bones();
+  for (const std::int32_t bone : {0, 1}) {
+    const PlaceOnFragment place{bone, in_far_end};
+    const PlaceOnFragment again = history.place_at_last(history.point_in_first_mm(place));
+    EXPECT_EQ(again.fragment, bone);
+    EXPECT_NEAR(length_of(again.point_mm - in_far_end), 0.0, 1.0e-12);
+  }
+}
+
 }  // namespace
 }  // namespace hallux::simulator

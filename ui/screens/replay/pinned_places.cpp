@@ -25,16 +25,18 @@ const simulator::PlaceOnFragment& PinnedPlaces::of(const simulator::BoneHistory&
                                   [&](const auto& each) { return each.first == place; });
   if (known != known_.end()) return known->second;
   const auto& point = place.point_in_bone_mm;
-  known_.emplace_back(place, history.place_at_last({fragment_of(history, place.body),
-                                                    Vec3(point[0], point[1], point[2])}));
+  const Vec3 point_mm(point[0], point[1], point[2]);
+  known_.emplace_back(
+      place, place.body == 0 ? history.place_at_last(point_mm)
+                             : history.place_at_last({fragment_of(history, place.body), point_mm}));
   return known_.back().second;
 }
 
 database::BonePoint bone_point_of(const simulator::BoneHistory& history,
                                   const simulator::PlaceOnFragment& place) {
-  const Vec3& point = place.point_mm;
   const std::int32_t piece =
       history.fragments[static_cast<std::size_t>(place.fragment)].origin.piece;
+  const Vec3 point = piece > 0 ? place.point_mm : history.point_in_first_mm(place);
   return {std::max(0, piece), {point.x, point.y, point.z}};
 }
 
