@@ -3,9 +3,11 @@
 with mouse or keyboard. Time on the attempt's clock and wrong turns are printed. Of an operation that came to its end the score
 must say that it was done: no gate on a deed is set off.
 
-usage: novice_check.py HALLUX --card N --hand mouse|keyboard [--to-first-cut] [--seeds 1,2,3] [--limit S] [--wrong-turns N]
-                       [--retell blank|exchanged] [--theme dark|light] [--scale 1.5] [--pictures FOLDER]
+usage: novice_check.py HALLUX --card N|--scenario FILE --hand mouse|keyboard [--to-first-cut] [--seeds 1,2,3] [--limit S]
+                       [--wrong-turns N] [--retell blank|exchanged] [--theme dark|light] [--scale 1.5] [--pictures FOLDER]
        novice_check.py HALLUX --flight --hand mouse|keyboard ...
+
+With --scenario the person, who keeps the course, takes that file into it and publishes it, and then operates by it.
 
 With --flight it is the first flight, as it is offered on the first start.
 
@@ -26,7 +28,7 @@ from window_check import opened_course, rows_of, wait_until
 HANDS = {"mouse": MouseHand, "keyboard": KeyboardHand}
 LIMIT_S, MOST_WRONG_TURNS, PATIENCE_S = 240, 3, 150.0
 # The question at the end, and the gates that say what was not done.
-FINISHED, DEEDS = "operate.ask_finish.act", ("piece_out", "wedge_closed", "eminence_out")
+FINISHED, DEEDS = "operate.ask_finish.act", ("piece_out", "wedge_closed", "eminence_out", "head_out")
 # So long somebody is misled.
 MISLED_S = 90
 # A machine without a GPU that does much else is slower than the attempt's clock.
@@ -48,14 +50,36 @@ def exchanged(words):
 RETELLINGS = {"": lambda words: words, "blank": blank, "exchanged": exchanged}
 
 
-def begin(person, number):
-    """The operation of that card, as practice: by what can be pressed on each page."""
+def publish(person, place, file):
+    """Takes a scenario into the course and publishes it; its name."""
+    name = json.loads(file.read_text())["name"]
+    for button in ("nav.scenarios", "scenarios.import", "scenarios.file.path"):
+        wait_until(button, lambda button=button: person.widgets().get(button, {}).get("enabled"), PATIENCE_S)
+        person.click(button)
+    person.type(str(file.resolve()))
+    wait_until("a file to take in", lambda: person.widgets().get("scenarios.file.act", {}).get("enabled"), PATIENCE_S)
+    person.click("scenarios.file.act")
+    wait_until("its draft", lambda: is_state(place, name, "draft"), PATIENCE_S)
+    wait_until("a draft to publish", lambda: person.widgets().get("scenarios.publish", {}).get("enabled"), PATIENCE_S)
+    person.click("scenarios.publish")
+    person.click("scenarios.question.act")
+    wait_until("its proof", lambda: is_state(place, name, "published"), PATIENCE_S)
+    return name
+
+
+def is_state(place, name, state):
+    return rows_of(place, "SELECT state FROM scenario_state JOIN scenario_version USING (scenario_version_id)"
+                          f" WHERE name = '{name}' AND state = '{state}'")
+
+
+def begin(person, number, name=""):
+    """The operation of that card or that name, as practice: by what can be pressed on each page."""
     wait_until("the operations", lambda: person.widgets().get("nav.operations", {}).get("enabled"), PATIENCE_S)
     person.click("nav.operations")
     cards = wait_until("cards", lambda: sorted(name for name in person.widgets() if name.startswith("operations.card.")), PATIENCE_S)
-    for name in (cards[number], "brief.begin"):
-        wait_until(name, lambda name=name: person.widgets().get(name, {}).get("enabled"), PATIENCE_S)
-        person.click(name)
+    for button in (f"operations.card.{name}" if name else cards[number], "brief.begin"):
+        wait_until(button, lambda button=button: person.widgets().get(button, {}).get("enabled"), PATIENCE_S)
+        person.click(button)
     wait_until("the operation", lambda: "operate.begin" in person.widgets(), PATIENCE_S)
     view = person.widgets()["operate.view"]
     person.xdotool("mousemove", str(view["x"] + view["w"] // 2), str(view["y"] + view["h"] // 2))
@@ -118,7 +142,7 @@ def attempt(options, seed):
         if options.flight:
             take_off(course.person)
         else:
-            begin(course.person, options.card)
+            begin(course.person, options.card, options.scenario and publish(course.person, course.place, options.scenario))
             enlarge(course.person, options.scale)
         novice = Novice(course.person, HANDS[options.hand](course.person), seed, RETELLINGS[options.retell])
 
@@ -132,7 +156,7 @@ def attempt(options, seed):
         begun = time.monotonic()
         limit_s = MISLED_S if options.retell else options.limit
         has_ended = novice.operate(is_over, limit_s, SLOWEST * limit_s)
-        what = "flight" if options.flight else f"card {options.card}"
+        what = "flight" if options.flight else options.scenario.stem if options.scenario else f"card {options.card}"
         course.take_picture(f"{options.hand}-{what}-{seed}")
         print(f"novice check: {what}, {options.hand}, seed {seed}: {'over' if has_ended else 'not over'} after"
               f" {novice.clock_s()} s on the clock ({time.monotonic() - begun:.0f} s), {novice.wrong_turns.count} wrong turns")
@@ -145,6 +169,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("hallux")
     parser.add_argument("--card", type=int, default=0)
+    parser.add_argument("--scenario", type=pathlib.Path)
     parser.add_argument("--flight", action="store_true")
     parser.add_argument("--hand", choices=HANDS, default="keyboard")
     parser.add_argument("--to-first-cut", action="store_true")
