@@ -42,10 +42,24 @@ def used_words(tokens):
     return {word for before, word in zip([''] + tokens, tokens) if word[0].isalpha() and before not in ('.', '->', '::')}
 
 
+def without_template(statement):
+    """A declaration behind its template's parameters."""
+    depth = 0
+    for place, token in enumerate(statement[1:], 1):
+        depth += (token == '<') - (token == '>')
+        if depth == 0:
+            return statement[place + 1:] or statement if statement[0] == 'template' else statement
+    return statement
+
+
 def declared_names(statement):
     """Words that a declaration may be the one of: those before what opens its arguments, its value or its body."""
     if statement[0] in ('using', 'namespace'):
         return {statement[1] if '=' in statement else statement[-1]}
+    kind = without_template(statement)
+    if kind[0] in KINDS:
+        # Of a type with bases its own name alone.
+        return {next((token for token in kind[1:] if token[0].isalpha() and token not in KINDS), '')} - {''}
     names, depth = set(), 0
     for before, token, after in zip([''] + statement, statement, statement[1:] + [';']):
         if depth == 0 and token[0].isalpha() and before != '::' and (after in OPENERS or before in KINDS):
