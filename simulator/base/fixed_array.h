@@ -20,10 +20,13 @@ namespace hallux {
 
 /// errors  std::bad_alloc
 void* take_memory(std::size_t bytes);
-/// Of zero bits, untouched.
+void free_memory(void* memory) noexcept;
+/// Of zero bits. Where it is large it is the system's own and nobody wrote to it: the heap would
+/// clear, and so touch, what others used before.
 /// errors  std::bad_alloc
 void* take_zeroed_memory(std::size_t bytes);
-void free_memory(void* memory) noexcept;
+/// As many as were taken.
+void free_zeroed_memory(void* memory, std::size_t bytes) noexcept;
 
 template <typename Value>
 class FixedArray {
@@ -72,7 +75,7 @@ class ZeroedArray {
     std::swap(count_, other.count_);
     return *this;
   }
-  ~ZeroedArray() { free_memory(values_); }
+  ~ZeroedArray() { free_zeroed_memory(values_, count_ * sizeof(Value)); }
 
   std::size_t size() const noexcept { return count_; }
   Value& operator[](std::size_t index) noexcept { return values_[index]; }

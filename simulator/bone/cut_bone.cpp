@@ -24,21 +24,16 @@ KerfCut cut_one(const SolidWithTree& stands, const OpenedKerf& kerf) {
   return cut_kerf(stands.solid, stands.bvh, kerf.plane, kerf.number, kerf.grid, kerf.region);
 }
 
-KerfCut cut_nothing(const CutSolid& solid) {
-  KerfCut nothing;
-  nothing.solid = solid;
-  return nothing;
-}
-
 }  // namespace
 
 void CutBone::put_kerf(std::int32_t place, OpenedKerf kerf) {
   CHECK(place >= 0 && place <= kerf_count());
-  if (stages_.size() > index(place)) stages_.resize(index(place));
+  grown_ = index(place);
+  if (stages_.size() > grown_) stages_.resize(grown_);
   if (place == kerf_count()) {
     kerfs_.push_back(std::move(kerf));
   } else {
-    kerfs_[index(place)] = std::move(kerf);
+    kerfs_[grown_] = std::move(kerf);
   }
 }
 
@@ -47,42 +42,60 @@ void CutBone::move_last(std::int32_t place) {
   if (stages_.size() > index(place)) stages_.resize(index(place));
   const auto moved = kerfs_.begin() + place;
   std::rotate(moved, moved + 1, kerfs_.end());
+  grown_ = kerfs_.size() - 1;
 }
 
-SolidWithTree CutBone::stands() {
-  if (stages_.empty()) return {whole_->solid, whole_->tree};
-  Stage& last = stages_.back();
-  return {last.cut.solid, tree_over(last.cut.solid, last.bvh)};
+const CutSolid& CutBone::kept_after(std::size_t count) const noexcept {
+  return count == 0 ? whole_->solid : *stages_[count - 1].solid;
+}
+
+SolidWithTree CutBone::with_tree_after(std::size_t count) {
+  if (count == 0) return {whole_->solid, whole_->tree};
+  Stage& stage = stages_[count - 1];
+  return {*stage.solid, tree_over(*stage.solid, stage.bvh)};
 }
 
 const CutSolid& CutBone::solid_before(std::int32_t place) {
   CHECK(place >= 0 && place <= kerf_count());
-  while (stages_.size() < index(place)) {
-    const OpenedKerf& next = kerfs_[stages_.size()];
-    const CutSolid& last = stages_.empty() ? whole_->solid : stages_.back().cut.solid;
-    stages_.push_back(
-        {takes_nothing(last, next) ? cut_nothing(last) : cut_one(stands(), next), nullptr});
-  }
-  forget_trees_before(place - 1);
-  return place == 0 ? whole_->solid : stages_[index(place) - 1].cut.solid;
+  std::size_t kept = std::min(index(place), stages_.size());
+  while (kept > 0 && !stages_[kept - 1].solid) --kept;
+  for (; kept < index(place); ++kept) cut_next(kept);
+  forget_all_but(index(place));
+  return kept_after(index(place));
 }
 
-/// A tree is several times as large as its solid, and a kerf that grows needs that of the solid
-/// before it alone; others are built again where they are asked for. That of the whole bone, which
-/// every attempt begins and most end with, stays.
-void CutBone::forget_trees_before(std::int32_t place) noexcept {
-  for (std::int32_t stage = 1; stage < place; ++stage) stages_[index(stage) - 1].bvh.reset();
+void CutBone::cut_next(std::size_t place) {
+  const OpenedKerf& next = kerfs_[place];
+  KerfCut cut;
+  if (const CutSolid& last = kept_after(place); takes_nothing(last, next)) {
+    cut.solid = last;
+  } else {
+    cut = cut_one(with_tree_after(place), next);
+  }
+  if (place == stages_.size()) stages_.emplace_back();
+  stages_[place].tally = cut;
+  stages_[place].solid = std::move(cut.solid);
+  forget_all_but(place + 1);
+}
+
+/// A solid after so many kerfs, and that from which the kerf that grew last is cut, are kept. Trees
+/// are several times as large as their solids: of the two the one that the next cut needs.
+void CutBone::forget_all_but(std::size_t count) noexcept {
+  for (std::size_t after = 1; after <= stages_.size(); ++after) {
+    if (after == count || after == grown_) continue;
+    stages_[after - 1].solid.reset();
+    stages_[after - 1].bvh.reset();
+  }
 }
 
 SolidWithTree CutBone::before(std::int32_t place) {
-  const CutSolid& solid = solid_before(place);
-  if (place == 0) return {solid, whole_->tree};
-  return {solid, tree_over(solid, stages_[index(place) - 1].bvh)};
+  solid_before(place);
+  return with_tree_after(index(place));
 }
 
-const KerfCut& CutBone::cut(std::int32_t place) {
-  solid_before(place + 1);
-  return stages_[index(place)].cut;
+const KerfTally& CutBone::cut(std::int32_t place) {
+  if (stages_.size() <= index(place)) solid_before(place + 1);
+  return stages_[index(place)].tally;
 }
 
 const CutSolid& CutBone::after_all() { return solid_before(kerf_count()); }

@@ -3,13 +3,15 @@
 ///     bone --kerf 0--> cut(0) --kerf 1--> cut(1) ... --split--> pieces 0, 1, 2 ... and debris
 ///
 /// One rule for whoever asks: the jobs of an attempt, its scoring, its replay, the live picture and
-/// `hallux cut`. Who asks says how far each kerf is open at the moment that is meant; what earlier
-/// kerfs left is kept, so that a kerf that grows costs the cuts from it on.
+/// `hallux cut`. Who asks says how far each kerf is open at the moment that is meant. Two solids
+/// are kept, that from which the kerf that grew last is cut and that which was asked for last: a
+/// kerf that grows costs the cuts from it on.
 #pragma once
 
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "simulator/bone/numbered_pieces.h"
@@ -28,8 +30,8 @@ struct OpenedKerf {
   RegionOutline region;
 };
 
-/// A solid with the tree over its mesh; borrowed from the bone until a kerf before it changes, or a
-/// later place is asked for.
+/// A solid with the tree over its mesh; borrowed from the bone until a kerf before it changes, or
+/// another place is asked for.
 struct SolidWithTree {
   const CutSolid& solid;
   const Bvh& bvh;
@@ -60,8 +62,8 @@ class CutBone {
   const CutSolid& whole() const noexcept { return whole_->solid; }
   /// What the kerfs before this one leave; `kerf_count()`: all of them.
   SolidWithTree before(std::int32_t place);
-  /// What this kerf leaves of that.
-  const KerfCut& cut(std::int32_t place);
+  /// What this kerf takes of that.
+  const KerfTally& cut(std::int32_t place);
   /// What all kerfs leave; pieces that were taken out count as if they lay there.
   const CutSolid& after_all();
   /// The same without one kerf, from which all others are cut.
@@ -81,9 +83,10 @@ class CutBone {
   NumberedPieces release_pieces() && { return std::move(pieces_); }
 
  private:
-  /// The bone after one more kerf; its tree once it was asked for.
+  /// One more kerf, and the bone after it while that is kept; its tree once it was asked for.
   struct Stage {
-    KerfCut cut;
+    KerfTally tally;
+    std::optional<CutSolid> solid;
     std::unique_ptr<const Bvh> bvh;
   };
 
@@ -91,11 +94,13 @@ class CutBone {
       : own_(std::move(own)), whole_(own_.get()), pieces_(whole_->solid) {}
 
   static std::size_t index(std::int32_t place) noexcept { return static_cast<std::size_t>(place); }
-  /// What the last of the kerfs cut so far leaves.
-  SolidWithTree stands();
-  /// Cuts what is not cut yet of the kerfs before this one.
+  /// After so many kerfs; needs it is kept.
+  const CutSolid& kept_after(std::size_t count) const noexcept;
+  SolidWithTree with_tree_after(std::size_t count);
+  /// Cuts what is not cut yet, or not kept, of the kerfs before this one.
   const CutSolid& solid_before(std::int32_t place);
-  void forget_trees_before(std::int32_t place) noexcept;
+  void cut_next(std::size_t place);
+  void forget_all_but(std::size_t count) noexcept;
 
   /// Null where it is borrowed.
   std::unique_ptr<const WholeBone> own_;
@@ -103,6 +108,8 @@ class CutBone {
   std::vector<OpenedKerf> kerfs_;
   /// After the first kerf, the second ...; those that still hold.
   std::deque<Stage> stages_;
+  /// Place of the kerf that was put last.
+  std::size_t grown_ = 0;
   NumberedPieces pieces_;
   /// Of a bone that is alone.
   std::int32_t next_piece_ = 1;

@@ -147,7 +147,7 @@ RegionOutline SawnBone::open_all() {
   return outline_around(begun().grid);
 }
 
-const KerfCut& SawnBone::commit(RegionOutline region) {
+const KerfTally& SawnBone::commit(RegionOutline region) {
   OpenedKerf opened = begun();
   opened.region = std::move(region);
   bone_.put_kerf(last(), std::move(opened));

@@ -50,7 +50,7 @@ class SawnBone {
   /// All of its plane; it is through from then on.
   RegionOutline open_all();
   /// Cuts it as far as it was opened.
-  const KerfCut& commit(RegionOutline region);
+  const KerfTally& commit(RegionOutline region);
 
   const CutSolid& whole() const noexcept { return bone_.whole(); }
   const CutSolid& solid() { return bone_.after_all(); }

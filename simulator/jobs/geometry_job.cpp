@@ -39,6 +39,20 @@ const PieceBody* find_piece(const NumberedPieces& pieces, std::int32_t id) noexc
   return found == all.end() ? nullptr : &*found;
 }
 
+std::shared_ptr<const WholeBone> whole_of(CutSolid solid) {
+  return std::make_shared<const WholeBone>(std::move(solid));
+}
+
+/// The tree keeps all of it.
+std::shared_ptr<const Bvh> tree_of(const std::shared_ptr<const WholeBone>& whole) {
+  return {whole, &whole->tree};
+}
+
+bool is_of(const std::shared_ptr<const WholeBone>& whole, const CutSolid& solid) {
+  return whole != nullptr && whole->solid.mesh == solid.mesh &&
+         whole->solid.sources == solid.sources;
+}
+
 FragmentPoses poses_of(std::span<const BoneToCut> bones) {
   std::vector<RigidTransform> world_from_bones;
   for (const BoneToCut& bone : bones) world_from_bones.push_back(bone.world_from_bone);
@@ -101,31 +115,28 @@ void AttemptGeometry::take_out(std::int32_t piece) {
 
 void AttemptGeometry::part(std::int32_t piece, std::int32_t parent) {
   if (piece == moved_piece_) {
-    divide(parent, std::move(fixed_), std::move(moved_), piece);
+    divide(parent, {whole_of(std::move(fixed_)), whole_of(std::move(moved_))}, piece);
     next_piece_ = std::max(next_piece_, piece + 1);
     moved_piece_ = -1;
     return;
   }
-  const NumberedPieces& pieces = fragment_at(parent).bone.pieces();
-  const PieceBody* const found = find_piece(pieces, piece);
+  const PieceBody* const found = find_piece(fragment_at(parent).bone.pieces(), piece);
   CHECK(found != nullptr);
-  divide(parent, pieces.gathered_without(piece), found->solid, piece);
+  divide(parent, halves_of(*found, parent), piece);
+  gripped_ = {};
 }
 
 /// What the kerfs opened is in the surfaces of both from now on.
-void AttemptGeometry::divide(std::int32_t parent, CutSolid rest, CutSolid parted,
-                             std::int32_t piece) {
+void AttemptGeometry::divide(std::int32_t parent, Halves halves, std::int32_t piece) {
   FragmentSolid& divided = fragment_at(parent);
   const NumberedPieces before = std::move(divided.bone).release_pieces();
-  const auto fragment_of = [&](CutSolid solid, std::int32_t main) {
-    NumberedPieces pieces = before.of_part(solid, main);
-    auto own = std::make_unique<const WholeBone>(std::move(solid));
+  const auto fragment_of = [&](std::shared_ptr<const WholeBone> own, std::int32_t main) {
     const WholeBone& whole = *own;
-    return FragmentSolid{std::move(own), CutBone(whole, std::move(pieces)), {}};
+    return FragmentSolid{std::move(own), CutBone(whole, before.of_part(whole.solid, main)), {}};
   };
-  FragmentSolid left = fragment_of(std::move(rest), before.main());
+  FragmentSolid left = fragment_of(std::move(halves.rest), before.main());
   left.removed_before_mm3 = divided.removed_before_mm3 + divided.removed_mm3;
-  FragmentSolid own = fragment_of(std::move(parted), piece);
+  FragmentSolid own = fragment_of(std::move(halves.parted), piece);
   divided = std::move(left);
   fragments_.push_back(std::move(own));
 }
@@ -184,7 +195,7 @@ void AttemptGeometry::run_pieces(JobResult& result) {
   FragmentSolid& fragment = fragment_at(result.fragment);
   fragment.removed_mm3 = 0.0;
   for (std::size_t place = 0; place < fragment.kerfs.size(); ++place) {
-    const KerfCut& cut = fragment.bone.cut(static_cast<std::int32_t>(place));
+    const KerfTally& cut = fragment.bone.cut(static_cast<std::int32_t>(place));
     fragment.removed_mm3 += cut.removed_mm3;
     result.nudges += cut.nudges;
     if (cut.takes_section) result.completed.push_back(fragment.kerfs[place]);
@@ -229,7 +240,9 @@ void AttemptGeometry::run_grip(JobResult& result) {
   const PieceBody& piece = *find_piece(fragment_at(fragment).bone.pieces(), result.request.subject);
   gripped.fragment = fragment;
   gripped.centroid_mm = centroid_of(piece.solid.mesh);
-  gripped.surface = std::make_unique<const Bvh>(piece.solid.mesh);
+  const bool is_own = piece.id == fragment_at(fragment).bone.pieces().main();
+  gripped_ = is_own ? Halves{} : halves_of(piece, fragment);
+  gripped.surface = is_own ? surface_over(piece.solid, fragment) : tree_of(gripped_.parted);
   gripped.points_mm = contact_points(piece.solid, points_of_piece);
   gripped.met = met_by(piece.id, fragment);
   std::vector<const Bvh*> others;
@@ -246,10 +259,23 @@ std::vector<MetFragment> AttemptGeometry::met_by(std::int32_t piece, std::int32_
     const CutSolid others =
         fragments_[i].bone.pieces().gathered_without(number == fragment ? piece : no_piece);
     if (others.mesh.triangles.empty()) continue;
-    all.push_back(
-        {number, std::make_unique<const Bvh>(others.mesh), contact_points(others, points_met)});
+    all.push_back({number, surface_over(others, number), contact_points(others, points_met)});
   }
   return all;
+}
+
+std::shared_ptr<const Bvh> AttemptGeometry::surface_over(const CutSolid& solid,
+                                                         std::int32_t fragment) const {
+  for (const auto& known : {fragment_at(fragment).own, gripped_.rest})
+    if (is_of(known, solid)) return tree_of(known);
+  return std::make_shared<const Bvh>(solid.mesh);
+}
+
+AttemptGeometry::Halves AttemptGeometry::halves_of(const PieceBody& piece,
+                                                   std::int32_t fragment) const {
+  CutSolid rest = fragment_at(fragment).bone.pieces().gathered_without(piece.id);
+  return {is_of(gripped_.rest, rest) ? gripped_.rest : whole_of(std::move(rest)),
+          is_of(gripped_.parted, piece.solid) ? gripped_.parted : whole_of(piece.solid)};
 }
 
 CutSolid AttemptGeometry::solid() const {

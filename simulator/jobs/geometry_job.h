@@ -59,7 +59,8 @@ struct FoundPiece {
 /// it leaves.
 struct MetFragment {
   std::int32_t fragment = 0;
-  std::unique_ptr<const Bvh> surface;
+  /// Shared with the jobs, which cut the same solid.
+  std::shared_ptr<const Bvh> surface;
   /// By which it meets the piece.
   std::vector<Vec3> points_mm;
 };
@@ -69,8 +70,8 @@ struct GrippedPiece {
   /// That it is, or will be a part of no more.
   std::int32_t fragment = 0;
   Vec3 centroid_mm{0.0, 0.0, 0.0};
-  /// Null where there is no such piece.
-  std::unique_ptr<const Bvh> surface;
+  /// Null where there is no such piece; else shared likewise.
+  std::shared_ptr<const Bvh> surface;
   /// By which it meets the others.
   std::vector<Vec3> points_mm;
   /// Into what its sawn walls came from, as far as that is still there; of unit length, zero where
@@ -108,7 +109,7 @@ struct JobResult {
   double debris_mm3 = 0.0;
   /// Pieces: taken by the blade so far in the attempt.
   double removed_mm3 = 0.0;
-  /// Pieces: see KerfCut; expected 0.
+  /// Pieces: see KerfTally; expected 0.
   std::uint32_t nudges = 0;
   /// Hinge.
   ClosedHinge hinge;
@@ -178,7 +179,7 @@ class AttemptGeometry {
   /// A fragment's solid with the kerfs that cut it since it is one.
   struct FragmentSolid {
     /// Null where it is borrowed, or the bone's own.
-    std::unique_ptr<const WholeBone> own;
+    std::shared_ptr<const WholeBone> own;
     CutBone bone;
     /// By their place in the order of cutting.
     std::vector<std::int32_t> kerfs;
@@ -186,6 +187,11 @@ class AttemptGeometry {
     double removed_before_mm3 = 0.0, removed_mm3 = 0.0;
     /// Taken out of the wound.
     bool is_out = false;
+  };
+
+  /// Of a fragment that is, or may soon be, divided.
+  struct Halves {
+    std::shared_ptr<const WholeBone> rest, parted;
   };
 
   FragmentSolid& fragment_at(std::int32_t fragment) noexcept {
@@ -197,12 +203,17 @@ class AttemptGeometry {
   std::int32_t place_of(std::int32_t kerf) const noexcept;
   void take_out(std::int32_t piece);
   void part(std::int32_t piece, std::int32_t parent);
-  void divide(std::int32_t parent, CutSolid rest, CutSolid parted, std::int32_t piece);
+  void divide(std::int32_t parent, Halves halves, std::int32_t piece);
   void run_section(JobResult& result);
   void run_pieces(JobResult& result);
   void run_hinge(JobResult& result);
   void run_grip(JobResult& result);
   std::vector<MetFragment> met_by(std::int32_t piece, std::int32_t fragment) const;
+  /// Over a solid, the fragment's own one where it is that.
+  std::shared_ptr<const Bvh> surface_over(const CutSolid& solid, std::int32_t fragment) const;
+  /// What is left of a piece's fragment without it, and the piece; those that its grip was worked
+  /// out with, where they still hold.
+  Halves halves_of(const PieceBody& piece, std::int32_t fragment) const;
   /// Opens the fragments' kerfs as far as the fields are open now.
   void bring_up_to_date();
 
@@ -213,6 +224,8 @@ class AttemptGeometry {
   /// What the last hinge that closed is to leave; and its number as a piece.
   CutSolid fixed_, moved_;
   std::int32_t moved_piece_ = -1;
+  /// Of the piece that was gripped last, where it was a part of another.
+  Halves gripped_;
   /// Per kerf: its field rose since the bone was opened as far.
   std::vector<std::uint8_t> has_risen_;
 };

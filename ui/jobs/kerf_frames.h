@@ -32,7 +32,7 @@ struct GroupOutcome {
   /// Of the patch, in any frame.
   std::size_t triangles_max = 0;
   std::size_t refused_frames = 0;
-  /// See KerfCut; expected 0.
+  /// See KerfTally; expected 0.
   std::uint32_t nudges = 0;
   /// By this group.
   double removed_mm3 = 0.0;

@@ -12,15 +12,19 @@ namespace hallux::simulator {
 /// thread  worker
 CutSolid commit_patch(const CutSolid& solid, const SolidPatch& patch);
 
-/// What one kerf leaves of a solid.
-struct KerfCut {
-  CutSolid solid;
+/// What one kerf took of a solid.
+struct KerfTally {
   /// By opened_volume_mm3.
   double removed_mm3 = 0.0;
   /// Of every skin that the region reaches, all within the slab is gone.
   bool takes_section = false;
   /// How often the plane was moved to get past a refusal; expected 0.
   std::uint32_t nudges = 0;
+};
+
+/// And what it leaves of it.
+struct KerfCut : KerfTally {
+  CutSolid solid;
 };
 
 /// Contact, patch and commit in one go. Where the patch is refused, the plane is moved by 2^-18 mm

@@ -1,10 +1,13 @@
 #include "simulator/base/fixed_array.h"
 
 #include <gtest/gtest.h>
+#include <sys/mman.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <numeric>
+#include <vector>
 
 namespace hallux {
 namespace {
@@ -44,6 +47,20 @@ TEST(ZeroedArray, HoldsZerosUntilItIsWrittenTo) {
   other = copy;
   EXPECT_EQ(other.size(), 100000U);
   EXPECT_EQ(other[77777], 5U);
+}
+
+TEST(ZeroedArray, TouchesNothingOfWhatOthersUsedBefore) {
+  constexpr std::size_t count = 4'000'000, bytes = count * sizeof(std::uint64_t);
+  // What is given back here the heap would clear and hand out again.
+  for (int i = 0; i < 3; ++i) FixedArray<std::uint64_t>(count, 7);
+  ZeroedArray<std::uint64_t> words(count);
+  words[count / 2] = 1;
+  std::vector<unsigned char> in_memory(bytes / 4096 + 1);
+  ASSERT_EQ(mincore(words.begin(), bytes, in_memory.data()), 0);
+  const auto pages = std::count_if(in_memory.begin(), in_memory.end(),
+                                   [](unsigned char page) { return (page & 1U) != 0; });
+  EXPECT_GE(pages, 1);
+  EXPECT_LT(pages, 1024) << "of 7813; the system may give a large page at once";
 }
 
 }  // namespace
