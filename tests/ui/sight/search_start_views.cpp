@@ -71,10 +71,12 @@ std::vector<Looking> turns_of(double azimuth_rad, double elevation_rad) {
   return turns;
 }
 
-/// What the expert's hand does, some moments of each recording.
+/// What the expert's hand does, some moments of each recording; of an operation on one bone.
 std::vector<WorkMoment> expert_moments(const scenarios::Scenario& scenario,
-                                       const simulator::Bone& bone, int recordings) {
+                                       const std::vector<simulator::Bone>& bones, int recordings) {
   std::vector<WorkMoment> moments;
+  if (bones.size() > 1) return moments;
+  const simulator::Bone& bone = bones.front();
   for (int seed = 1; seed <= recordings; ++seed) {
     const simulator::Recording recording =
         tests::run_hand(scenario, bone, "expert", static_cast<std::uint64_t>(seed)).recording;
@@ -101,20 +103,20 @@ void print(const Found& found, const Visibility& expert) {
 /// An operation on a coarse patient, seen from anywhere.
 struct Site {
   scenarios::Scenario scenario;
-  simulator::Bone bone = make_patient_bones(scenario).front();
-  scenarios::Plan plan = plan_on(scenario, bone);
-  ViewJudge judge{scenario, bone, plan, {480, 300}};
-  RigidTransform start = start_pose(scenario, bone, plan);
+  std::vector<simulator::Bone> bones = make_patient_bones(scenario);
+  scenarios::Plan plan = plan_on(scenario, bones);
+  ViewJudge judge{scenario, bones, plan, {480, 300}};
+  RigidTransform start = start_pose(scenario, bones, plan);
 
   Camera camera(const scenarios::StartingPlace& place) {
     scenario.start = place;
-    return start_camera(scenario, bone, plan);
+    return start_camera(scenario, bones, plan);
   }
   /// The best of a direction's turns that hold the start; what is seen does not depend on them.
   std::optional<Found> best_from(double azimuth_rad, double elevation_rad) {
     std::optional<Found> best;
     for (const Looking& looking : turns_of(azimuth_rad, elevation_rad)) {
-      Found found{*scenario.start, looking, {}, 0.0};
+      Found found{scenario.start.value_or(scenarios::StartingPlace{}), looking, {}, 0.0};
       look(found.place, looking);
       found.judgement = judge.judge_start(camera(found.place), start);
       if (!holds_start(found.judgement)) continue;
@@ -144,7 +146,7 @@ void search(const std::string& name, int recordings) {
   }
   std::ranges::sort(found, [](const Found& a, const Found& b) { return a.worth > b.worth; });
   std::printf("%s: %zu directions hold the start\n", name.c_str(), found.size());
-  const std::vector<WorkMoment> expert = expert_moments(site.scenario, site.bone, recordings);
+  const std::vector<WorkMoment> expert = expert_moments(site.scenario, site.bones, recordings);
   for (std::size_t i = 0; i < std::min(found.size(), shown); ++i) {
     print(found[i], site.judge.seen_over(site.camera(found[i].place), expert).mean);
   }

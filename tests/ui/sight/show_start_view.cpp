@@ -1,6 +1,8 @@
 // Draws the start view of a scenario into a file, for eyes: show_start_view SCENARIO_FILE PICTURE.
 #include <cstdio>
 #include <cstdlib>
+#include <deque>
+#include <vector>
 
 #include "scenarios/neighbour.h"
 #include "simulator/cutting/pieces/cut_solid.h"
@@ -42,21 +44,24 @@ int main(int count, char** words) {
   }
   scenarios::Scenario scenario = scenarios::read_scenario(words[1]);
   scenario.patient.edge_mm = 0.6;
-  const simulator::Bone bone = make_patient_bones(scenario).front();
-  const scenarios::Plan plan = plan_on(scenario, bone);
+  const std::vector<simulator::Bone> bones = make_patient_bones(scenario);
+  const scenarios::Plan plan = plan_on(scenario, bones);
   const HeadlessContext context;
-  ViewJudge judge(scenario, bone, plan);
-  const DrawnBone shown(11, bone), beside(12, *scenarios::neighbour_of(scenario));
-  const RigidTransform start = start_pose(scenario, bone, plan);
+  ViewJudge judge(scenario, bones, plan);
+  std::deque<DrawnBone> drawn;
   Scene scene;
-  scene.bones = {shown.in_scene(1.0), beside.in_scene(0.45)};
+  for (const simulator::Bone& bone : bones)
+    scene.bones.push_back(drawn.emplace_back(11 + drawn.size(), bone).in_scene(1.0));
+  if (const auto neighbour = scenarios::neighbour_of(scenario))
+    scene.bones.push_back(drawn.emplace_back(11 + drawn.size(), *neighbour).in_scene(0.45));
+  const RigidTransform start = start_pose(scenario, bones, plan);
   SawInScene saw;
   saw.world_from_tool = start;
   saw.blade = scenario.saw.blade;
   scene.saw = saw;
   scene.lines = {{.world_from_plane = start, .half_mm = Vec2(0.0, 7.0), .faint_mm = 8.0}};
   Renderer renderer;
-  const Camera camera = start_camera(scenario, bone, plan);
+  const Camera camera = start_camera(scenario, bones, plan);
   write_png(words[2], render_picture(renderer, scene, camera, {1280, 800}));
   const ViewJudgement judgement = judge.judge(camera, start);
   std::printf("plane %.1f deg, saw %s, %s a lower corner, teeth %.3f, kerf %.3f\n",
