@@ -16,6 +16,8 @@ AT_ONCE = 8
 CLICK_PIXELS, PIXELS_AT_MOST = 8, 150
 # To look from elsewhere. What is meant to go less, in millimetres or degrees, teaches nothing: hints round.
 LOOK_PIXELS, LEARNT_FROM = 40, 2.0
+# Who is sent to and fro so often goes half as far.
+SWINGS_AT_MOST = 3
 # A button is held on for so long: a frame that hears it let go hears of a drag no more, and takes a notch for a plain one.
 HELD_ON_S = 0.2
 # A display gives fast movements of a mouse more pixels than slow ones.
@@ -159,6 +161,10 @@ class Pull:
     amount: float
     pixels: int
 
+    def is_back_from(self, before):
+        """The way back, for the same reason."""
+        return (self.kind, self.hint) == (before.kind, before.hint) and self.way == (-before.way[0], -before.way[1])
+
     def gone(self, then):
         """How far it went, by what is asked for then; None where that tells nothing of it."""
         across = self.way[0] * then.way[0] + self.way[1] * then.way[1]
@@ -180,7 +186,7 @@ class MouseHand:
 
     def __init__(self, person):
         self.person = person
-        self.gain, self.last = dict(self.PIXELS), None
+        self.gain, self.last, self.swings = dict(self.PIXELS), None, 0
 
     def do(self, hint, screen):
         words = hint.mouse
@@ -215,6 +221,9 @@ class MouseHand:
         # What hardly moves is a click.
         least = 1 if kind == "move" else CLICK_PIXELS
         pixels = max(least, min(PIXELS_AT_MOST, round(hint.amount * self.gain[kind])))
+        self.swings = self.swings + 1 if self.last and asked.is_back_from(self.last) else 0
+        if self.swings > SWINGS_AT_MOST:
+            pixels = max(least, pixels // 2)
         self.last = dataclasses.replace(asked, pixels=pixels)
         return pixels
 
