@@ -47,6 +47,14 @@ class Groups(unittest.TestCase):
         self.assert_apart(ALONE, ITS_OWN)
         self.assert_apart(ALONE, USES_IT)
 
+    def test_the_bases_of_a_type_are_not_declared_by_it(self):
+        derived = "namespace {\nclass %s final : public testing::Test, protected SomeCourse {\n};\n}\n"
+        self.assert_together(derived % "One", derived % "Other", "int f(SomeCourse& course) { return 1; }\n")
+        self.assert_apart(derived % "One", derived % "One")
+        template = "namespace {\ntemplate <typename T>\nstruct %s : Base<T> {\n};\n}\n"
+        self.assert_together(template % "One", template % "Other")
+        self.assert_apart(template % "One", template % "One")
+
     def test_every_kind_of_private_name_is_known(self):
         use = "int f(int spot) { return spot; }\n"
         for declaration in ("constexpr double edge = 1.0, spot = 2.0;", "static int spot();", "enum class spot : int { A };",

@@ -2,7 +2,7 @@
 //     search_start_views [SCENARIO|FILE [RECORDINGS]]
 //
 // Those that see the strokes of the plan best are held against as many recordings of the expert's
-// hand.
+// hand; of several bones there are none.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
