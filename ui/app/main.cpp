@@ -10,22 +10,22 @@
 
 namespace {
 
-/// Blocks from this size on are the system's own, and go back to it when they are freed.
-constexpr int large_block_bytes = 1 << 17;
-/// So much free memory a heap keeps at its end for what is asked for next.
-constexpr int kept_bytes = 8 << 20;
+/// So much free memory each thread's heap keeps at its end for what is asked for next; larger
+/// blocks are the system's own, and go back to it when they are freed. Trees, meshes and fields of
+/// some megabytes come and go all the time: given back at once, their pages would be cleared and
+/// mapped anew each time, which takes as long as the work itself.
+constexpr int kept_bytes = 32 << 20;
 
-/// The C library otherwise raises the first limit to the largest block that was ever freed, 32 MiB
-/// at most: each thread's heap then keeps the pages of trees and meshes that are gone.
-void give_large_blocks_back() {
-  ::mallopt(M_MMAP_THRESHOLD, large_block_bytes);
+/// The C library would find such limits by itself, but lets a heap keep twice as much.
+void keep_what_is_asked_for_again() {
+  ::mallopt(M_MMAP_THRESHOLD, kept_bytes);
   ::mallopt(M_TRIM_THRESHOLD, kept_bytes);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  give_large_blocks_back();
+  keep_what_is_asked_for_again();
   // A closed pipe (hallux ... | head) is an error of writing, not a reason to die in the middle of
   // a transaction.
   std::signal(SIGPIPE, SIG_IGN);

@@ -45,6 +45,26 @@ bool may_overlap(const SignedShadow& a, const SignedShadow& b) noexcept {
          b.min_mm.y <= a.max_mm.y;
 }
 
+/// Twice an area that no rounding of corners within a metre reaches.
+constexpr double clear_mm2 = 1.0e-6;
+
+/// All of it lies beyond one side of the other, at most a corner on its line: the common part has
+/// no area then, by CommonPart's own arithmetic too.
+bool is_beyond_a_side(const SignedShadow& shadow, const SignedShadow& of) noexcept {
+  const auto is_beyond = [&](const Vec2& from_mm, const Vec2& to_mm) {
+    int beyond = 0, on_line = 0;
+    for (const Vec2& corner_mm : shadow.corners_mm) {
+      const double side = doubled_area(from_mm, to_mm, corner_mm);
+      beyond += side < -clear_mm2;
+      on_line += side == 0.0;
+    }
+    return beyond + on_line == 3 && on_line <= 1;
+  };
+  return is_beyond(of.corners_mm[0], of.corners_mm[1]) ||
+         is_beyond(of.corners_mm[1], of.corners_mm[2]) ||
+         is_beyond(of.corners_mm[2], of.corners_mm[0]);
+}
+
 /// The common part of two triangles: at most six corners (Sutherland and Hodgman 1974).
 class CommonPart {
  public:
@@ -175,7 +195,7 @@ class OpenedVolume {
   template <typename Height>
   void add_common_parts(const SignedShadow& shadow, Height&& height_at) {
     for (const SignedShadow& part : region_) {
-      if (!may_overlap(shadow, part)) continue;
+      if (!may_overlap(shadow, part) || is_beyond_a_side(shadow, part)) continue;
       volume_mm3_ += shadow.sign * part.sign * CommonPart(shadow, part).integral(height_at);
     }
   }
