@@ -15,7 +15,7 @@ target_include_directories(hallux_rules INTERFACE "${PROJECT_SOURCE_DIR}")
 target_compile_options(hallux_rules INTERFACE -Wall -Wextra -Wconversion -Wshadow -Werror -ffp-contract=off)
 target_compile_definitions(hallux_rules INTERFACE GLM_FORCE_EXPLICIT_CTOR)
 if(HALLUX_SANITIZER STREQUAL "address")
-  target_compile_options(hallux_rules INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(hallux_rules INTERFACE -fsanitize=address -fno-omit-frame-pointer)
   target_link_options(hallux_rules INTERFACE -fsanitize=address,undefined)
 elseif(HALLUX_SANITIZER STREQUAL "thread")
   target_compile_options(hallux_rules INTERFACE -fsanitize=thread -fno-omit-frame-pointer)
@@ -73,6 +73,10 @@ function(hallux_room name)
   target_link_libraries(${name} PUBLIC hallux_rules ${ROOM_USES})
   # A section for each function: the linker leaves out what the program does not call, and tests/architecture lists it.
   target_compile_options(${name} PRIVATE -ffunction-sections -fdata-sections)
+  # A test that watched itself for undefined behaviour too would take the compiler half as long again.
+  if(HALLUX_SANITIZER STREQUAL "address")
+    target_compile_options(${name} PRIVATE -fsanitize=undefined -fno-sanitize-recover=all)
+  endif()
   target_precompile_headers(${name} REUSE_FROM hallux_common)
   hallux_groups(${name})
 endfunction()
@@ -92,8 +96,15 @@ endfunction()
 
 find_program(HALLUX_LLD ld.lld)
 
-# hallux_test(NAME LABEL fast|slow|machine [BY_SUITE] SOURCES file... USES library...): one GoogleTest program; of a fast one, or
-# one whose suites share what takes long, each suite is a CTest test, else each case.
+# What ./test --all builds besides: long runs, tests of real bones, tools that draw or search for developers.
+add_custom_target(hallux_all_tests)
+function(hallux_only_for_all name)
+  set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL TRUE)
+  add_dependencies(hallux_all_tests ${name})
+endfunction()
+
+# hallux_test(NAME LABEL fast|slow|long|meshes [BY_SUITE] SOURCES file... USES library...): one GoogleTest program; of a fast one,
+# or one whose suites share what takes long, each suite is a CTest test, else each case.
 function(hallux_test name)
   cmake_parse_arguments(TEST "BY_SUITE" "LABEL;TIMEOUT" "SOURCES;USES" ${ARGN})
   if(NOT TEST_TIMEOUT)
@@ -109,6 +120,9 @@ function(hallux_test name)
   endif()
   # What is tested is optimised as it is shipped; the test itself waits longer for the compiler than it runs.
   target_compile_options(${name} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)
+  if(NOT TEST_LABEL MATCHES "^(fast|slow)$")
+    hallux_only_for_all(${name})
+  endif()
   if(TEST_LABEL STREQUAL "fast" OR TEST_BY_SUITE)
     hallux_suites(${name} ${TEST_LABEL} ${TEST_TIMEOUT})
   else()

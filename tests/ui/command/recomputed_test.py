@@ -93,6 +93,10 @@ class Shipped(Recomputed):
         self.assertEqual(metrics["step_order", ""], 1)
         self.assertGreater(score.score, 80_000)
 
+
+class Others(Recomputed):
+    """The other operations, attempts that went otherwise, and those of format 1: minutes."""
+
     def test_shipped_akin_held_by_a_screw(self):
         metrics, score = self.expect_all("akin", "expert", 2)
         self.assertEqual(metrics["fixed", "toe"], 1)
@@ -110,10 +114,6 @@ class Shipped(Recomputed):
         self.assertEqual(metrics["right_tool", "dorsal_arm"], 1)
         self.assertNotIn(("entry_mm", "holding_wire"), metrics)
         self.assertGreater(score.score, 90_000)
-
-
-class Others(Recomputed):
-    """Attempts that went otherwise, and those of format 1: minutes."""
 
     def test_akin_with_its_wedge_closed(self):
         metrics, _ = self.expect_all(AKIN, "novice", 7)

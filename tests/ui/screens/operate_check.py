@@ -18,7 +18,6 @@ LOGIN, PASSWORD = "admin-1", "a long enough phrase"
 PATIENCE_S = 150.0
 # An event of simulator/record/record.h: a kerf has its plane.
 PLANE_FROZEN = 4
-REFINED_WITHIN_S = 5.0
 
 
 def is_enabled_soon(person, name):
@@ -122,8 +121,7 @@ def check_record(place):
 
 
 def rest(window):
-    """A picture at rest is refined for some seconds at most; then it takes no processor."""
-    time.sleep(REFINED_WITHIN_S)
+    """A picture at rest is refined; then it takes no processor."""
     check_idle(window)
 
 

@@ -19,6 +19,7 @@ import types
 
 IDLE_S = 10.0
 MAX_IDLE_CPU_SHARE = 0.01
+AT_REST_WITHIN_S = 90.0
 
 
 def start_display(size):
@@ -177,11 +178,19 @@ def use_window(person, window):
     wait_until("a larger scale", lambda: person.widgets()["gallery.search"]["w"] > before)
 
 
-def check_idle(window):
-    time.sleep(1.0)
+def idle_share(window):
     before = cpu_s(window.pid)
     time.sleep(IDLE_S)
-    share = (cpu_s(window.pid) - before) / IDLE_S
+    return (cpu_s(window.pid) - before) / IDLE_S
+
+
+def check_idle(window):
+    """However long a busy machine takes for what is still to be drawn: the window comes to rest."""
+    time.sleep(1.0)
+    end = time.monotonic() + AT_REST_WITHIN_S
+    share = idle_share(window)
+    while share > MAX_IDLE_CPU_SHARE and time.monotonic() < end:
+        share = idle_share(window)
     print(f"idle: {share * 100.0:.2f} % of one processor over {IDLE_S:.0f} s")
     if share > MAX_IDLE_CPU_SHARE:
         raise SystemExit("an idle window takes too much of the processor")
