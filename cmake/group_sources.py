@@ -1,14 +1,16 @@
 #!/usr/bin/env python3
 """Groups of sources that are compiled as one, so that the headers they share are read once and not once a file.
 
-    group_sources.py LINES BEFORE SOURCE...
+    group_sources.py LINES ASKED CHOSEN
 
-Prints SOURCE=NUMBER for each, ';' between them: the group that it belongs to. BEFORE is what was printed the last time, or
-empty: who can stays where it was, so that a new name or a new line moves few files. Files whose private names would meet stay
-apart: no name that one file declares for itself alone occurs in another of its group, nor is declared by a header that only
-the other reads, so that each means the same as if it were compiled alone. Private is what stands in an unnamed namespace, and each `static`, constant, `using` and alias of a
-source; the same `using` may be said again. A group begins with at most LINES lines: a change compiles little anew.
+A line of the file ASKED is a target and one of its sources, with a tab between them; a line of CHOSEN besides the number of the
+group that the source belongs to. What CHOSEN says from the last time is kept where it can be, so that a new name or a new line
+moves few files. Files whose private names would meet stay apart: no name that one file declares for itself alone occurs in
+another of its group, nor is declared by a header that only the other reads, so that each means the same as if it were compiled
+alone. Private is what stands in an unnamed namespace, and each `static`, constant, `using` and alias of a source; the same
+`using` may be said again. A group begins with at most LINES lines: a change compiles little anew.
 """
+import collections
 import functools
 import pathlib
 import re
@@ -150,6 +152,11 @@ class Source:
         return self.opened != other.opened or self.hides(other) or other.hides(self)
 
 
+@functools.cache
+def source_at(path):
+    return Source(path)
+
+
 def has_room(group, source, lines):
     return not group or (sum(other.lines for other in group) + source.lines <= lines and not source.alone
                          and not any(other.alone or source.meets(other) for other in group))
@@ -167,11 +174,21 @@ def groups_of(sources, lines, before):
     return groups
 
 
+def rows_of(file):
+    return [line.split('\t') for line in file.read_text().splitlines()] if file.is_file() else []
+
+
 def main():
-    lines, before, *paths = sys.argv[1:]
-    known = {path: int(number) for path, number in (row.rsplit('=', 1) for row in before.split(';') if row)}
-    groups = groups_of([Source(path) for path in paths], int(lines), known)
-    print(';'.join(f'{source.path}={number}' for number, group in groups.items() for source in group))
+    lines, asked, chosen = sys.argv[1:]
+    paths, before = collections.defaultdict(list), collections.defaultdict(dict)
+    for target, path in rows_of(pathlib.Path(asked)):
+        paths[target].append(path)
+    for target, path, number in rows_of(pathlib.Path(chosen)):
+        before[target][path] = int(number)
+    rows = [f'{target}\t{source.path}\t{number}\n' for target in paths
+            for number, group in groups_of([source_at(path) for path in paths[target]], int(lines), before[target]).items()
+            for source in group]
+    pathlib.Path(chosen).write_text(''.join(rows))
 
 
 if __name__ == '__main__':

@@ -36,19 +36,35 @@ function(hallux_groups target)
   endif()
   get_target_property(sources ${target} SOURCES)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
-  execute_process(COMMAND "${HALLUX_PYTHON}" "${PROJECT_SOURCE_DIR}/cmake/group_sources.py" 1500 "${HALLUX_GROUPS_OF_${target}}"
-            ${sources}
-    WORKING_DIRECTORY "${CMAKE_CURRENT_SOURCE_DIR}" OUTPUT_VARIABLE groups OUTPUT_STRIP_TRAILING_WHITESPACE
-    COMMAND_ERROR_IS_FATAL ANY)
-  set(HALLUX_GROUPS_OF_${target} "${groups}" CACHE INTERNAL "")
-  foreach(row IN LISTS groups)
-    string(REGEX MATCH "^(.*)=(.*)$" matched "${row}")
-    set_source_files_properties("${CMAKE_MATCH_1}" PROPERTIES UNITY_GROUP "${target}_${CMAKE_MATCH_2}")
+  foreach(source IN LISTS sources)
+    cmake_path(ABSOLUTE_PATH source NORMALIZE)
+    set_property(GLOBAL APPEND_STRING PROPERTY hallux_grouped_sources "${target}\t${source}\n")
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
   # g++ takes a source that another includes for a header, in which a type of one file alone would be a mistake.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
+
+# Chooses all groups at once, when every target is known: headers are read once.
+function(hallux_choose_groups)
+  get_property(asked GLOBAL PROPERTY hallux_grouped_sources)
+  if(NOT asked)
+    return()
+  endif()
+  file(WRITE "${PROJECT_BINARY_DIR}/grouped_sources.txt" "${asked}")
+  execute_process(COMMAND "${HALLUX_PYTHON}" "${PROJECT_SOURCE_DIR}/cmake/group_sources.py" 1500
+            "${PROJECT_BINARY_DIR}/grouped_sources.txt" "${PROJECT_BINARY_DIR}/chosen_groups.txt"
+    COMMAND_ERROR_IS_FATAL ANY)
+  file(STRINGS "${PROJECT_BINARY_DIR}/chosen_groups.txt" rows)
+  foreach(row IN LISTS rows)
+    string(REPLACE "\t" ";" row "${row}")
+    list(GET row 0 target)
+    list(GET row 1 source)
+    list(GET row 2 number)
+    set_source_files_properties("${source}" TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP "${target}_${number}")
+  endforeach()
+endfunction()
+cmake_language(DEFER DIRECTORY "${CMAKE_SOURCE_DIR}" CALL hallux_choose_groups)
 
 # hallux_headers(NAME USES library... HEADERS header...): a target whose precompiled headers others take. A file still names
 # each header that it needs: clang-tidy reads it without these.
@@ -117,6 +133,10 @@ function(hallux_test name)
   # A hundred programs are linked for the tests; this linker takes a quarter of the time.
   if(HALLUX_LLD)
     target_link_options(${name} PRIVATE -fuse-ld=lld)
+  endif()
+  # Lines for a debugger are in the objects, and in the programs of a debug build; in a hundred programs they are five gigabytes.
+  if(HALLUX_SANITIZER STREQUAL "")
+    target_link_options(${name} PRIVATE $<$<CONFIG:RelWithDebInfo>:-Wl,--strip-debug>)
   endif()
   # What is tested is optimised as it is shipped; the test itself waits longer for the compiler than it runs.
   target_compile_options(${name} PRIVATE $<$<CONFIG:RelWithDebInfo>:-O1>)

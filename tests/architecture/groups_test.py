@@ -25,14 +25,22 @@ class Groups(unittest.TestCase):
         (self.folder / "cmake").mkdir()
         self.script = shutil.copy(SCRIPT, self.folder / "cmake")
 
-    def groups_of(self, *texts, lines=1500, before=""):
+    def chosen(self, asked, before, lines=1500):
+        """What the script makes of (target, source) rows: by target and source the group."""
+        files = self.folder / "asked.txt", self.folder / "chosen.txt"
+        for file, rows in zip(files, (asked, before)):
+            file.write_text("".join("\t".join(map(str, row)) + "\n" for row in rows))
+        subprocess.run([sys.executable, self.script, str(lines), *files], cwd=self.folder, check=True)
+        rows = [line.split("\t") for line in files[1].read_text().splitlines()]
+        return {(target, source): int(number) for target, source, number in rows}
+
+    def groups_of(self, *texts, lines=1500, before=()):
         """The number of each text's group."""
         for number, text in enumerate(texts):
             (self.folder / f"{number}.cpp").write_text(text)
-        said = subprocess.run([sys.executable, self.script, str(lines), before, *(f"{n}.cpp" for n in range(len(texts)))],
-                              cwd=self.folder, check=True, capture_output=True, text=True).stdout.strip()
-        rows = dict(row.split("=") for row in said.split(";"))
-        return [int(rows[f"{number}.cpp"]) for number in range(len(texts))]
+        names = [f"{number}.cpp" for number in range(len(texts))]
+        rows = self.chosen([("room", name) for name in names], [("room", *row) for row in before], lines)
+        return [rows["room", name] for name in names]
 
     def assert_apart(self, *texts):
         self.assertEqual(len(set(self.groups_of(*texts))), len(texts))
@@ -88,10 +96,16 @@ class Groups(unittest.TestCase):
         self.assertEqual(self.groups_of(text, text, text, lines=130), [0, 0, 1])
 
     def test_who_can_stays_where_it_was(self):
-        self.assertEqual(self.groups_of("int f();\n", "int g();\n", before="0.cpp=4;1.cpp=7"), [4, 7])
-        [first, second] = self.groups_of(ALONE, USES_IT, before="0.cpp=4;1.cpp=4")
+        self.assertEqual(self.groups_of("int f();\n", "int g();\n", before=(("0.cpp", 4), ("1.cpp", 7))), [4, 7])
+        [first, second] = self.groups_of(ALONE, USES_IT, before=(("0.cpp", 4), ("1.cpp", 4)))
         self.assertEqual(first, 4)
         self.assertNotEqual(second, 4)
+
+    def test_each_target_has_groups_of_its_own(self):
+        self.groups_of("int f();\n", "int g();\n")
+        asked = [("room", "0.cpp"), ("other", "0.cpp"), ("other", "1.cpp")]
+        self.assertEqual(self.chosen(asked, [("other", "0.cpp", 3)]),
+                         {("room", "0.cpp"): 0, ("other", "0.cpp"): 3, ("other", "1.cpp"): 3})
 
 
 if __name__ == "__main__":
