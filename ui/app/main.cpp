@@ -16,7 +16,7 @@ namespace {
 /// mapped anew each time, which takes as long as the work itself.
 constexpr int kept_bytes = 32 << 20;
 
-/// The C library would find such limits by itself, but lets a heap keep twice as much.
+/// Of a verb that does its work and ends; a window gives more back (ui/app/window/open_window.cpp).
 void keep_what_is_asked_for_again() {
   ::mallopt(M_MMAP_THRESHOLD, kept_bytes);
   ::mallopt(M_TRIM_THRESHOLD, kept_bytes);
