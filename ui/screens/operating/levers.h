@@ -12,8 +12,9 @@
 
 namespace hallux::ui {
 
-/// Of a key's step: below, Shift is held.
-inline constexpr double fine_below = 0.6;
+/// Of a key's step: below, Shift is held. At 0.6 whoever goes a fifth too far with the mouse would
+/// be sent back by as much, and to and fro.
+inline constexpr double fine_below = 0.75;
 
 /// One move, and what a step of it does to the errors.
 template <std::size_t count>
