@@ -19,8 +19,6 @@ RULES = pathlib.Path(os.environ["HALLUX_UDEV_RULES"])
 OPENED_S = 1.5
 TRIES = 5
 OF_A_BUSY_MACHINE = ("too_slow", "silent")
-# However slow the machine is: in two seconds a device is exchanged with again and again.
-MANY_EXCHANGES = 20
 
 
 def some_firmware(words=3900):
@@ -30,15 +28,16 @@ def some_firmware(words=3900):
 
 
 class DeviceTest(CommandTest):
-    def tried_out(self, device, *options, fault):
-        """What `hallux devices test` answers, where it ends with this fault, or with none. A machine that is kept busy is too slow
-        for a device now and then, or hears nothing of it in time: then it is tried again."""
+    def tried_out(self, device, *options, fault, exchanges):
+        """What `hallux devices test` answers, where it ends with this fault, or with none, after so many exchanges. A machine that
+        is kept busy is too slow for a device now and then, or hears nothing of it in time: then it is tried again."""
         for _ in range(TRIES):
             answer = self.hallux("devices", "test", device, "--quiet", *options, "--json")
             found = answer.json().get("fault")
-            if found == fault or found not in OF_A_BUSY_MACHINE:
+            if found == fault and answer.json()["exchanges"] >= exchanges or found not in (fault, *OF_A_BUSY_MACHINE):
                 break
         self.assertEqual((answer.code, found), (CHECK_FAILED if fault else DONE, fault), answer)
+        self.assertGreaterEqual(answer.json()["exchanges"], exchanges)
         return answer.json()
 
 
@@ -68,8 +67,8 @@ class ServedTest(DeviceTest):
         self.ask("devices", "set", "falcon", "firmware", file)
         return file
 
-    def try_out(self, device, *options, fault=None):
-        return self.tried_out(device, *options, fault=fault)
+    def try_out(self, device, *options, fault=None, exchanges=0):
+        return self.tried_out(device, *options, fault=fault, exchanges=exchanges)
 
 
 class Listed(ServedTest):
@@ -230,11 +229,10 @@ class Falcon(ServedTest):
         self.set_firmware()
 
     def test_is_loaded_homed_and_exchanged_with(self):
-        answer = self.try_out("falcon", "--seconds", "2.5")
-        self.assertGreaterEqual(answer["exchanges"], MANY_EXCHANGES)
+        answer = self.try_out("falcon", "--seconds", "2.5", exchanges=1000)
         self.assertEqual((answer["bad_packets"], answer["homed"]), (0, True))
         self.assertEqual(answer["greatest_force_newton"], 0.0)
-        self.assertGreater(answer["rate_hz"], 0)
+        self.assertGreater(answer["rate_hz"], 200)
         self.assertLess(0, answer["round_trip_us"]["p50"])
         self.assertTrue(self.seen()["runs"])
         self.assertEqual(self.seen()["motors"], [0, 0, 0])
@@ -298,8 +296,7 @@ class SpaceMouse(ServedTest):
         for device in ("space_mouse", "space_mouse:older"):
             with self.subTest(device=device):
                 self.devices = (device,)
-                answer = self.try_out("space_mouse", "--seconds", "2")
-                self.assertGreaterEqual(answer["exchanges"], MANY_EXCHANGES)
+                answer = self.try_out("space_mouse", "--seconds", "2", exchanges=500)
                 self.assertEqual(answer["bad_packets"], 0)
                 self.assertEqual(self.seen()["lights"], [True, False])
 
@@ -312,8 +309,7 @@ class Arm(ServedTest):
     devices = ("arm:pressed",)
 
     def test_is_calibrated_by_its_button_and_exchanged_with(self):
-        answer = self.try_out("raw_hid_arm", "--seconds", "2")
-        self.assertGreaterEqual(answer["exchanges"], MANY_EXCHANGES)
+        answer = self.try_out("raw_hid_arm", "--seconds", "2", exchanges=1000)
         self.assertEqual((answer["bad_packets"], answer["homed"]), (0, True))
 
     def test_one_that_nobody_calibrates_says_how(self):
@@ -342,8 +338,8 @@ class Inverse(DeviceTest):
     def listed(self):
         return {device["id"]: device for device in self.ask("devices")["devices"]}
 
-    def try_out(self, *options, fault=None):
-        return self.tried_out("inverse3", *options, fault=fault)
+    def try_out(self, *options, fault=None, exchanges=0):
+        return self.tried_out("inverse3", *options, fault=fault, exchanges=exchanges)
 
     def test_it_is_listed_as_its_service_names_it(self):
         service = self.serve()
@@ -358,8 +354,7 @@ class Inverse(DeviceTest):
         for keys, version in ((("vector",), "3.5.0"), (("values",), "3.1.1"), (("values",), "3.5.0"), (("vector",), None)):
             with self.subTest(keys=keys, version=version):
                 service = self.serve(keys=keys, version=version)
-                answer = self.try_out("--seconds", "2", "--wall", "0.5")
-                self.assertGreaterEqual(answer["exchanges"], MANY_EXCHANGES)
+                answer = self.try_out("--seconds", "2", "--wall", "0.5", exchanges=1000)
                 self.assertEqual((answer["bad_packets"], answer["homed"]), (0, True))
                 self.assertGreater(service.greatest, 0.2)
                 self.assertLessEqual(service.greatest, 6.0)
