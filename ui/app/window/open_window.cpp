@@ -1,7 +1,6 @@
 #include "ui/app/window/open_window.h"
 
-#include <malloc.h>
-
+#include "ui/app/terminal/freed_memory.h"
 #include "ui/app/terminal/interrupt.h"
 #include "ui/app/window/course.h"
 #include "ui/app/window/window_preferences.h"
@@ -12,18 +11,6 @@
 namespace hallux::ui {
 
 namespace {
-
-/// Blocks from this size on are the system's own, and go back to it when they are freed.
-constexpr int large_block_bytes = 1 << 17;
-/// So much free memory a heap keeps at its end for what is asked for next.
-constexpr int kept_bytes = 8 << 20;
-
-/// A window stays for hours, and its many threads' heaps would each keep the pages of trees and
-/// meshes that are gone.
-void give_large_blocks_back() {
-  ::mallopt(M_MMAP_THRESHOLD, large_block_bytes);
-  ::mallopt(M_TRIM_THRESHOLD, kept_bytes);
-}
 
 WindowSetting setting_of(const VerbContext& context,
                          const std::optional<std::filesystem::path>& ui_map) {
@@ -41,7 +28,7 @@ WindowSetting setting_of(const VerbContext& context,
 
 ExitCode open_window(const VerbContext& context,
                      const std::optional<std::filesystem::path>& ui_map) {
-  give_large_blocks_back();
+  give_freed_memory_back();
   const Texts texts = english_texts();
   try {
     Window window(texts, setting_of(context, ui_map));
