@@ -61,12 +61,6 @@ FacePose pose_of(const CutFace& face, const PlannedCut& cut) {
   return pose;
 }
 
-RigidTransform turn_about(const Vec3& place_mm, const Vec3& axis, double angle_rad) {
-  const Quat turn = rotation_about(axis, angle_rad);
-  const RigidTransform about{turn, {0.0, 0.0, 0.0}};
-  return {turn, place_mm - transform_point(about, place_mm)};
-}
-
 RigidTransform shift_by(const Vec3& way_mm) { return {Quat{1.0, 0.0, 0.0, 0.0}, way_mm}; }
 
 /// What a metric of the work is called as a change: its id, and what it is about.

@@ -7,12 +7,15 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 
 #include "scenarios/fixation/bone_pieces.h"
 #include "scenarios/geometry/part_path.h"
 #include "scenarios/json_node.h"
 #include "scenarios/plan.h"
+#include "scenarios/steps/step_order.h"
 #include "simulator/mesh/bvh.h"
 
 namespace hallux::scenarios {
@@ -23,11 +26,6 @@ constexpr double sample_mm = 0.25;
 /// Less of an implant in a body does not hold it.
 constexpr double engaged_least_mm = 1.0;
 
-RigidTransform turn_about(const Vec3& axis, const Vec3& through_mm, double angle_rad) {
-  const RigidTransform turn{rotation_about(axis, angle_rad), {}};
-  return {turn.rotation, through_mm - transform_direction(turn, through_mm)};
-}
-
 /// Lays the face of the half that turns on that of the half that stays.
 RigidTransform closing_turn(const PlannedHinge& hinge, const Plan& plan) {
   const simulator::HingeLine& line = hinge.bridge.line;
@@ -36,7 +34,7 @@ RigidTransform closing_turn(const PlannedHinge& hinge, const Plan& plan) {
   // A normal points away from the half that has the face.
   if (glm::dot(moved, hinge.bridge.toward_moved) > 0.0) std::swap(fixed, moved);
   const auto turned = [&](double angle_rad) {
-    return turn_about(line.axis, line.point_in_bone_mm, angle_rad);
+    return turn_about(line.point_in_bone_mm, line.axis, angle_rad);
   };
   const RigidTransform one = turned(hinge.wedge_rad), other = turned(-hinge.wedge_rad);
   const auto apart = [&](const RigidTransform& turn) {
@@ -62,9 +60,7 @@ class FixationPlanner {
   PlannedFixation planned() {
     for (std::size_t i = 0; i < scenario_.fragments.size(); ++i) plan_fragment(i);
     for (std::size_t i = 0; i < scenario_.shifts.size(); ++i) plan_shift(i);
-    for (const OperationStep& step : scenario_.steps) {
-      if (step.kind == StepKind::Close) close(*find_hinge(plan_, step.hinge));
-    }
+    move_fragments();
     std::size_t wires = 0, screws = 0;
     for (const Implant& implant : scenario_.implants) {
       const bool is_wire = implant.kind == ImplantKind::Wire;
@@ -121,20 +117,46 @@ class FixationPlanner {
   void plan_shift(std::size_t index) {
     const FragmentShift& shift = scenario_.shifts[index];
     const std::string path = part_path(scenario_, "shifts", index, shift.name);
-    const std::size_t fragment = fragment_index(shift.fragment);
-    PlannedFragment& moved = fixation_.fragments[fragment];
-    PlannedShift planned{shift.name, shift.fragment, moved.bone, {}, shift.is_closed};
+    const std::size_t bone = fixation_.fragments[fragment_index(shift.fragment)].bone;
+    PlannedShift planned{shift.name, shift.fragment, bone, {}, {}, shift.is_closed};
     for (const FragmentMove& move : shift.moves) {
-      const Vec3 direction = ground_.direction(move.direction, moved.bone, path);
+      const Vec3 direction = ground_.direction(move.direction, bone, path);
       const RigidTransform next =
           move.is_turn
-              ? turn_about(direction, ground_.point(move.through, moved.bone, path), move.turn_rad)
+              ? turn_about(ground_.point(move.through, bone, path), direction, move.turn_rad)
               : RigidTransform{{1.0, 0.0, 0.0, 0.0}, move.slide_mm * direction};
       planned.bone_from_before = next * planned.bone_from_before;
     }
-    moved.bone_from_rest = planned.bone_from_before * moved.bone_from_rest;
-    bodies_[fragment].bone_from_rest = moved.bone_from_rest;
     fixation_.shifts.push_back(planned);
+  }
+
+  /// Shifts and hinges in the order of the steps; what two alternatives do is done once.
+  void move_fragments() {
+    std::set<std::pair<StepKind, std::string>> done;
+    for (const std::size_t index : steps_in_order(scenario_)) {
+      const OperationStep& step = scenario_.steps[index];
+      const bool is_shift = step.kind == StepKind::Shift;
+      if (!is_shift && step.kind != StepKind::Close) continue;
+      if (!done.emplace(step.kind, is_shift ? step.shift : step.hinge).second) continue;
+      if (is_shift) {
+        move_by(step.shift);
+      } else {
+        close(*find_hinge(plan_, step.hinge));
+      }
+    }
+  }
+
+  void move_by(const std::string& name) {
+    PlannedShift& shift = *std::ranges::find(fixation_.shifts, name, &PlannedShift::name);
+    const std::size_t fragment = fragment_index(shift.fragment);
+    carry(fragment, shift.bone_from_before);
+    shift.bone_from_cut = bodies_[fragment].bone_from_rest;
+  }
+
+  void carry(std::size_t fragment, const RigidTransform& bone_from_before) {
+    RigidTransform& bone_from_rest = fixation_.fragments[fragment].bone_from_rest;
+    bone_from_rest = bone_from_before * bone_from_rest;
+    bodies_[fragment].bone_from_rest = bone_from_rest;
   }
 
   /// What lies on the half that turns lies where the wedge is closed.
@@ -142,12 +164,10 @@ class FixationPlanner {
     const simulator::PlannedBridge& bridge = hinge.bridge;
     const RigidTransform turn = closing_turn(hinge, plan_);
     for (std::size_t i = 0; i < fixation_.fragments.size(); ++i) {
-      PlannedFragment& fragment = fixation_.fragments[i];
+      const PlannedFragment& fragment = fixation_.fragments[i];
       const double beyond_mm =
           glm::dot(bridge.toward_moved, fragment.holds_in_bone_mm - bridge.line.point_in_bone_mm);
-      if (fragment.bone != hinge.bone || beyond_mm <= 0.0) continue;
-      fragment.bone_from_rest = turn * fragment.bone_from_rest;
-      bodies_[i].bone_from_rest = fragment.bone_from_rest;
+      if (fragment.bone == hinge.bone && beyond_mm > 0.0) carry(i, turn);
     }
   }
 

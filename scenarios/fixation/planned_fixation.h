@@ -31,6 +31,8 @@ struct PlannedShift {
   std::size_t bone = 0;
   /// Carries the fragment from where it lay before this shift, said in the bone frame.
   RigidTransform bone_from_before;
+  /// Carries it from where it was cut: this shift, and the shifts and hinges before it.
+  RigidTransform bone_from_cut;
   /// Then it is closed until the faces touch.
   bool is_closed = false;
 };

@@ -57,7 +57,10 @@ void say(PlannedFragment& fragment, const Move& move) {
   move.direction(fragment.foot_dorsal_in_bone);
 }
 
-void say(PlannedShift& shift, const Move& move) { move.way(shift.bone_from_before); }
+void say(PlannedShift& shift, const Move& move) {
+  move.way(shift.bone_from_before);
+  move.way(shift.bone_from_cut);
+}
 
 void say(PlannedImplant& implant, const Move& move) {
   move.point(implant.entry_in_bone_mm);

@@ -3,6 +3,7 @@
 #include "scenarios/steps/step_order.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <string>
@@ -259,6 +260,18 @@ bool is_all_done(const Scenario& scenario, const std::vector<bool>& is_done) {
     if (!scenario.steps[step].is_optional && !is_group_done(scenario, step, is_done)) return false;
   }
   return true;
+}
+
+std::vector<std::size_t> steps_in_order(const Scenario& scenario) {
+  const Before before = before_each(scenario);
+  // More leads to a step than to any that leads to it.
+  std::vector<std::size_t> led_to_by;
+  for (std::size_t step = 0; step < before.size(); ++step)
+    led_to_by.push_back(leading_to(before, step).size());
+  std::vector<std::size_t> ordered(before.size());
+  std::iota(ordered.begin(), ordered.end(), 0);
+  std::ranges::stable_sort(ordered, {}, [&](std::size_t step) { return led_to_by[step]; });
+  return ordered;
 }
 
 std::vector<std::set<std::size_t>> needs_of_steps(const Scenario& scenario) {

@@ -22,6 +22,10 @@ std::vector<std::size_t> steps_at_hand(const Scenario& scenario, const std::vect
 /// Whether each step that is not optional is done, or another alternative of its group.
 bool is_all_done(const Scenario& scenario, const std::vector<bool>& is_done);
 
+/// All steps, each behind those that lead to it, by whichever alternative.
+/// needs   no step comes after itself
+std::vector<std::size_t> steps_in_order(const Scenario& scenario);
+
 /// Refuses steps of format 2 that nobody can carry out in an order: unknown or doubled ids, cycles,
 /// a step that comes after two alternatives of one group or after another of its own, a mixture of
 /// optional and required alternatives, no one verify before all and no one finish after all.

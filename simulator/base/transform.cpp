@@ -55,4 +55,9 @@ Quat rotation_about(const Vec3& axis, double angle_rad) noexcept {
   return normalised(Quat{elementary::cos(0.5 * angle_rad), s * axis.x, s * axis.y, s * axis.z});
 }
 
+RigidTransform turn_about(const Vec3& point_mm, const Vec3& axis, double angle_rad) noexcept {
+  const RigidTransform turn{rotation_about(axis, angle_rad), {}};
+  return {turn.rotation, point_mm - transform_direction(turn, point_mm)};
+}
+
 }  // namespace hallux

@@ -49,6 +49,8 @@ Quat rotation_from_axes(const Vec3& x_axis, const Vec3& y_hint) noexcept;
 /// The rotation about the unit vector `axis`; uses elementary.h, so it is the same on every
 /// machine.
 Quat rotation_about(const Vec3& axis, double angle_rad) noexcept;
+/// The turn about the line through `point_mm` along the unit vector `axis`.
+RigidTransform turn_about(const Vec3& point_mm, const Vec3& axis, double angle_rad) noexcept;
 /// A quaternion of length 1 along `rotation`; the identity where the length is 0 or not finite.
 Quat normalised(const Quat& rotation) noexcept;
 

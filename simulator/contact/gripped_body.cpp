@@ -147,8 +147,8 @@ class GrippedContacts {
 };
 
 /// The turn about a joint that comes nearest to a motion.
-double turn_about(const WoundJoint& joint, const ProxyMotion& wanted, const Vec3& centre_mm,
-                  double grip2_mm2) noexcept {
+double nearest_turn_rad(const WoundJoint& joint, const ProxyMotion& wanted, const Vec3& centre_mm,
+                        double grip2_mm2) noexcept {
   const Vec3 swing = glm::cross(joint.axis, centre_mm - joint.point_mm);
   const double push = glm::dot(swing, wanted.translation_mm) +
                       grip2_mm2 * glm::dot(joint.axis, wanted.rotation_rad);
@@ -214,7 +214,7 @@ double go_by_joint(const WoundJoint& joint, Lead& lead, const ProxyMotion& wante
   const double arm_mm = length_of(lead.pose.translation_mm - joint.point_mm) + lead.radius_mm;
   const double limit_rad = most_mm / arm_mm;
   const double asked_rad = std::clamp(
-      turn_about(joint, wanted, lead.pose.translation_mm, grip2_mm2), -limit_rad, limit_rad);
+      nearest_turn_rad(joint, wanted, lead.pose.translation_mm, grip2_mm2), -limit_rad, limit_rad);
   const double turn_rad = free_turn(asked_rad, joint, lead.pose.translation_mm, contacts);
   lead.pose = turned_about(lead.pose, joint, turn_rad);
   return std::abs(turn_rad) * arm_mm;

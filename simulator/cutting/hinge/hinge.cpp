@@ -112,12 +112,6 @@ bool is_held_elsewhere(const DividedBone& divided, const TurnAxis& joint) noexce
   return all_mm2 - bridge_mm2 > weak_remnant_part * bridge_mm2;
 }
 
-RigidTransform turn_about(const TurnAxis& joint, double angle_rad) noexcept {
-  RigidTransform turn{rotation_about(joint.axis, angle_rad), Vec3(0.0)};
-  turn.translation_mm = joint.point_mm - transform_direction(turn, joint.point_mm);
-  return turn;
-}
-
 }  // namespace
 
 DividedBone divide_at_hinge(const CutSolid& solid, const Bvh& bvh, const KerfPlane& plane) {
@@ -172,7 +166,7 @@ ClosedHinge close_hinge(const CutSolid& solid, const Bvh& bvh, const HingeReques
   }
   closed.outcome = HingeOutcome::Closed;
   closed.angle_rad = contact->angle_rad;
-  closed.bone_from_moved = turn_about(closed.joint, contact->angle_rad);
+  closed.bone_from_moved = turn_about(closed.joint.point_mm, closed.joint.axis, contact->angle_rad);
   closed.contact_in_bone_mm = contact->point_mm;
   return closed;
 }

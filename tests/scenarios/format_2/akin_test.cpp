@@ -1,6 +1,7 @@
 // The Akin of format 1 said in format 2: the same planes, and its fixation beside them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "scenarios/patient.h"
@@ -122,6 +123,33 @@ void ask_nothing_of_fixation(json& rubric) {
     }
     rubric[list] = kept;
   }
+}
+
+TEST_F(ShippedAkin, ShiftsWhatLiesOnAClosedHingeFromWhereThatLeftIt) {
+  json shifted = fixture_json("akin");
+  shifted["shifts"] = {{{"name", "aside"},
+                        {"title", "Aside"},
+                        {"fragment", "toe"},
+                        {"moves", {{{"slide", "lateral"}, {"mm", 1}}}},
+                        {"origin", "author: a test."}}};
+  const auto step_of = [&](const char* id) -> json& {
+    return *std::ranges::find_if(shifted["steps"],
+                                 [&](const json& each) { return each["id"] == id; });
+  };
+  json step = step_of("close");
+  step.erase("hinge");
+  step["id"] = step["kind"] = "shift";
+  step["shift"] = "aside";
+  step["after"] = {"close"};
+  // Listed before the step that it comes after: the order is what each says.
+  shifted["steps"].insert(shifted["steps"].begin() + 1, step);
+  step_of("finish")["after"].push_back("shift");
+  const PlannedFixation fixation = plan_on(scenarios_test::coarse(shifted), bone).fixation;
+  const PlannedShift& aside = *find_shift(fixation, "aside");
+  const RigidTransform closed = find_fragment(plan_of_format_2.fixation, "toe")->bone_from_rest;
+  EXPECT_GT(std::abs(closed.rotation.y), 0.01) << "about the dorsal axis";
+  EXPECT_EQ(aside.bone_from_cut, aside.bone_from_before * closed);
+  EXPECT_EQ(find_fragment(fixation, "toe")->bone_from_rest, aside.bone_from_cut);
 }
 
 TEST_F(ShippedAkin, MayHaveSeveralHinges) {

@@ -165,6 +165,28 @@ TEST(Fixation, CarriesAFragmentThroughItsMovesInTheirOrder) {
             rounding);
 }
 
+TEST(Fixation, ShiftsAFragmentInTheOrderOfTheSteps) {
+  json whole = fixed_block();
+  whole["shifts"].push_back(
+      named("turned", {{"fragment", "tip"},
+                       {"moves", {{{"turn", "dorsal"}, {"through", "beside"}, {"deg", 90}}}}}));
+  json& steps = whole["steps"];
+  json first = steps[steps.size() - 3], second = first;
+  EXPECT_EQ(first["id"], "move");
+  first["id"] = "turn";
+  first["shift"] = "turned";
+  second["after"] = {"turn"};
+  steps[steps.size() - 3] = second;
+  steps.insert(steps.end() - 1, first);
+  whole["wires"][0]["engages"] = {"first_metatarsal"};
+  const PlannedFixation fixation = planned(whole);
+  const PlannedShift &over = *find_shift(fixation, "over"),
+                     &turned = *find_shift(fixation, "turned");
+  EXPECT_EQ(turned.bone_from_cut, turned.bone_from_before) << "done first, though listed last";
+  EXPECT_EQ(over.bone_from_cut, over.bone_from_before * turned.bone_from_before);
+  EXPECT_EQ(fixation.fragments.at(0).bone_from_rest, over.bone_from_cut);
+}
+
 TEST(Fixation, MeetsAFragmentWhereItWasShiftedTo) {
   json whole = fixed_block();
   EXPECT_EQ(refusal(whole), "");

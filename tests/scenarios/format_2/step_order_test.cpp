@@ -56,6 +56,16 @@ TEST(StepOrder, OfFormat1IsTheChain) {
   EXPECT_TRUE(steps_at_hand(akin, is_done).empty());
 }
 
+TEST(StepOrder, PutsEachBehindAllThatLeadsToIt) {
+  // "late" is listed first, and comes after either of a group.
+  const Scenario scenario = ordered({step("late", {"pair"}), step("one", {"first"}, "pair"),
+                                     step("other", {"v"}, "pair"), step("first", {"v"})},
+                                    {"late"});
+  EXPECT_EQ(refusal_of(scenario), "");
+  const std::vector<std::size_t> order = steps_in_order(scenario);
+  EXPECT_EQ(order, (std::vector<std::size_t>{0, 3, 4, 2, 1, 5}));
+}
+
 TEST(StepOrder, MayBeAnyThatTheStepsLeaveOpen) {
   const Scenario scenario =
       ordered({step("a", {"v"}), step("b", {"v"}), step("c", {"a", "b"})}, {"c"});

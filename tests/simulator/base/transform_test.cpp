@@ -65,6 +65,15 @@ TEST(Transform, RotationAboutTurnsByTheRightHand) {
   EXPECT_LT(distance(turned, Vec3{0.0, 1.0, 0.0}), 1.0e-15);
 }
 
+TEST(Transform, ATurnAboutALineKeepsItsPointsAndTurnsAllOthersAroundIt) {
+  const Vec3 point_mm{3.0, -2.0, 5.0}, up{0.0, 0.0, 1.0};
+  const RigidTransform quarter = turn_about(point_mm, up, 0.5 * pi);
+  EXPECT_LT(distance(transform_point(quarter, point_mm + 7.0 * up), point_mm + 7.0 * up), 1.0e-14);
+  EXPECT_LT(distance(transform_point(quarter, point_mm + Vec3{1.0, 0.0, 2.0}),
+                     point_mm + Vec3{0.0, 1.0, 2.0}),
+            1.0e-14);
+}
+
 TEST(Transform, NormalisedMakesTheIdentityOfNothing) {
   EXPECT_EQ(normalised(Quat{0.0, 0.0, 0.0, 0.0}), (Quat{1.0, 0.0, 0.0, 0.0}));
   EXPECT_EQ(normalised(Quat{NAN, 0.0, 0.0, 0.0}), (Quat{1.0, 0.0, 0.0, 0.0}));

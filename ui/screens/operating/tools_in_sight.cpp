@@ -104,11 +104,10 @@ void add_planned_fixation(Scene& scene, const OperationInSight& shown) {
   if (!shown.shift || shown.tools == nullptr || shown.bone == nullptr) return;
   const std::optional<FragmentSurface> held = shown.bone->fragment(shown.tools->gripped());
   if (!held) return;
-  const scenarios::Plan& plan = shown.prepared_case.plan_in_first;
-  const scenarios::PlannedFragment& fragment =
-      *find_fragment(plan.fixation, plan.fixation.shifts[*shown.shift].fragment);
+  const scenarios::PlannedShift& shift =
+      shown.prepared_case.plan_in_first.fixation.shifts[*shown.shift];
   const RigidTransform first_from_target =
-      bone_from_shifted(plan, *shown.shift) * first_from(shown.prepared_case.bones, fragment.bone);
+      shift.bone_from_cut * first_from(shown.prepared_case.bones, shift.bone);
   scene.free_pieces.push_back({held->mesh, world_from_bone * first_from_target});
 }
 

@@ -28,21 +28,11 @@ ImplantReading read_implant(const scenarios::PlannedImplant& planned,
   return reading;
 }
 
-RigidTransform bone_from_shifted(const scenarios::Plan& plan, std::size_t shift) noexcept {
-  const std::vector<scenarios::PlannedShift>& shifts = plan.fixation.shifts;
-  RigidTransform bone_from_fragment;
-  for (std::size_t i = 0; i <= shift; ++i) {
-    if (shifts[i].fragment == shifts[shift].fragment)
-      bone_from_fragment = shifts[i].bone_from_before * bone_from_fragment;
-  }
-  return bone_from_fragment;
-}
-
 ShiftReading read_shift(const scenarios::Plan& plan, std::size_t shift,
                         const RigidTransform& bone_from_fragment) noexcept {
-  const scenarios::PlannedFragment& fragment =
-      *find_fragment(plan.fixation, plan.fixation.shifts[shift].fragment);
-  const RigidTransform target = bone_from_shifted(plan, shift);
+  const scenarios::PlannedShift& planned = plan.fixation.shifts[shift];
+  const scenarios::PlannedFragment& fragment = *find_fragment(plan.fixation, planned.fragment);
+  const RigidTransform& target = planned.bone_from_cut;
   const Vec3 now_mm = transform_point(bone_from_fragment, fragment.holds_in_bone_mm);
   ShiftReading reading;
   reading.off_in_bone_mm = transform_point(target, fragment.holds_in_bone_mm) - now_mm;

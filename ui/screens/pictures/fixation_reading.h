@@ -32,10 +32,7 @@ struct ShiftReading {
   double turned_rad = 0.0;
 };
 
-/// Carries a fragment from where it was cut to where that shift and those before it bring it.
 /// shift  of the plan's
-RigidTransform bone_from_shifted(const scenarios::Plan& plan, std::size_t shift) noexcept;
-
 ShiftReading read_shift(const scenarios::Plan& plan, std::size_t shift,
                         const RigidTransform& bone_from_fragment) noexcept;
 
