@@ -149,8 +149,8 @@ class FixationPlanner {
   void move_by(const std::string& name) {
     PlannedShift& shift = *std::ranges::find(fixation_.shifts, name, &PlannedShift::name);
     const std::size_t fragment = fragment_index(shift.fragment);
+    shift.before_from_cut = bodies_[fragment].bone_from_rest;
     carry(fragment, shift.bone_from_before);
-    shift.bone_from_cut = bodies_[fragment].bone_from_rest;
   }
 
   void carry(std::size_t fragment, const RigidTransform& bone_from_before) {

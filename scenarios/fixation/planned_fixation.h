@@ -29,12 +29,14 @@ struct PlannedFragment {
 struct PlannedShift {
   std::string name, fragment;
   std::size_t bone = 0;
-  /// Carries the fragment from where it lay before this shift, said in the bone frame.
-  RigidTransform bone_from_before;
-  /// Carries it from where it was cut: this shift, and the shifts and hinges before it.
-  RigidTransform bone_from_cut;
+  /// Carries the fragment from where it was cut: the shifts and hinges before this one.
+  RigidTransform before_from_cut = {};
+  /// Carries it on from there. Both are said in the bone frame.
+  RigidTransform bone_from_before = {};
   /// Then it is closed until the faces touch.
   bool is_closed = false;
+
+  RigidTransform bone_from_cut() const noexcept { return bone_from_before * before_from_cut; }
 };
 
 struct PlannedClearance {

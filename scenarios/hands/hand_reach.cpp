@@ -69,8 +69,8 @@ RigidTransform aim_shift(const Plan& plan, std::size_t shift, const HandSkill& s
   Random random(seed, "hand.shift." + planned.name);
   const double off_mm = random.truncated_normal(0.0, skill.shift_deviation_mm, 2.0);
   const double turn_deg = random.truncated_normal(0.0, skill.shift_turn_deviation_deg, 2.0);
-  const Vec3 way_mm = transform_point(planned.bone_from_before, fragment.holds_in_bone_mm) -
-                      fragment.holds_in_bone_mm;
+  const Vec3 place_mm = transform_point(planned.before_from_cut, fragment.holds_in_bone_mm);
+  const Vec3 way_mm = transform_point(planned.bone_from_before, place_mm) - place_mm;
   const double length_mm = length_of(way_mm);
   const Vec3 along = length_mm > 0.0 ? way_mm / length_mm : Vec3{0.0, 0.0, 0.0};
   RigidTransform led = planned.bone_from_before;
@@ -79,10 +79,7 @@ RigidTransform aim_shift(const Plan& plan, std::size_t shift, const HandSkill& s
       (off_mm + fault_size(skill.faults, FaultKind::ShiftBy, fragment.name)) * along;
   const double turned_rad =
       radian_from_degree(turn_deg + fault_size(skill.faults, FaultKind::TurnBy, fragment.name));
-  const RigidTransform turn{rotation_about(fragment.foot_dorsal_in_bone, turned_rad), {}};
-  const Vec3 pivot_mm = transform_point(led, fragment.holds_in_bone_mm);
-  const RigidTransform about{turn.rotation, pivot_mm - transform_direction(turn, pivot_mm)};
-  return about * led;
+  return turn_about(transform_point(led, place_mm), fragment.foot_dorsal_in_bone, turned_rad) * led;
 }
 
 }  // namespace hallux::scenarios

@@ -58,8 +58,8 @@ void say(PlannedFragment& fragment, const Move& move) {
 }
 
 void say(PlannedShift& shift, const Move& move) {
+  move.way(shift.before_from_cut);
   move.way(shift.bone_from_before);
-  move.way(shift.bone_from_cut);
 }
 
 void say(PlannedImplant& implant, const Move& move) {

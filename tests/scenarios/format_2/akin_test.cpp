@@ -148,8 +148,8 @@ TEST_F(ShippedAkin, ShiftsWhatLiesOnAClosedHingeFromWhereThatLeftIt) {
   const PlannedShift& aside = *find_shift(fixation, "aside");
   const RigidTransform closed = find_fragment(plan_of_format_2.fixation, "toe")->bone_from_rest;
   EXPECT_GT(std::abs(closed.rotation.y), 0.01) << "about the dorsal axis";
-  EXPECT_EQ(aside.bone_from_cut, aside.bone_from_before * closed);
-  EXPECT_EQ(find_fragment(fixation, "toe")->bone_from_rest, aside.bone_from_cut);
+  EXPECT_EQ(aside.bone_from_cut(), aside.bone_from_before * closed);
+  EXPECT_EQ(find_fragment(fixation, "toe")->bone_from_rest, aside.bone_from_cut());
 }
 
 TEST_F(ShippedAkin, MayHaveSeveralHinges) {

@@ -182,9 +182,9 @@ TEST(Fixation, ShiftsAFragmentInTheOrderOfTheSteps) {
   const PlannedFixation fixation = planned(whole);
   const PlannedShift &over = *find_shift(fixation, "over"),
                      &turned = *find_shift(fixation, "turned");
-  EXPECT_EQ(turned.bone_from_cut, turned.bone_from_before) << "done first, though listed last";
-  EXPECT_EQ(over.bone_from_cut, over.bone_from_before * turned.bone_from_before);
-  EXPECT_EQ(fixation.fragments.at(0).bone_from_rest, over.bone_from_cut);
+  EXPECT_EQ(turned.bone_from_cut(), turned.bone_from_before) << "done first, though listed last";
+  EXPECT_EQ(over.bone_from_cut(), over.bone_from_before * turned.bone_from_before);
+  EXPECT_EQ(fixation.fragments.at(0).bone_from_rest, over.bone_from_cut());
 }
 
 TEST(Fixation, MeetsAFragmentWhereItWasShiftedTo) {

@@ -107,7 +107,7 @@ void add_planned_fixation(Scene& scene, const OperationInSight& shown) {
   const scenarios::PlannedShift& shift =
       shown.prepared_case.plan_in_first.fixation.shifts[*shown.shift];
   const RigidTransform first_from_target =
-      shift.bone_from_cut * first_from(shown.prepared_case.bones, shift.bone);
+      shift.bone_from_cut() * first_from(shown.prepared_case.bones, shift.bone);
   scene.free_pieces.push_back({held->mesh, world_from_bone * first_from_target});
 }
 

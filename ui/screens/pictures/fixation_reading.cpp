@@ -32,7 +32,7 @@ ShiftReading read_shift(const scenarios::Plan& plan, std::size_t shift,
                         const RigidTransform& bone_from_fragment) noexcept {
   const scenarios::PlannedShift& planned = plan.fixation.shifts[shift];
   const scenarios::PlannedFragment& fragment = *find_fragment(plan.fixation, planned.fragment);
-  const RigidTransform& target = planned.bone_from_cut;
+  const RigidTransform target = planned.bone_from_cut();
   const Vec3 now_mm = transform_point(bone_from_fragment, fragment.holds_in_bone_mm);
   ShiftReading reading;
   reading.off_in_bone_mm = transform_point(target, fragment.holds_in_bone_mm) - now_mm;

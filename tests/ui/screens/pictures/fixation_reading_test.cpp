@@ -45,8 +45,8 @@ scenarios::Plan shifted_plan() {
   // The second shift of the same fragment: where both bring it counts.
   plan.fixation.shifts.push_back({.name = "second",
                                   .fragment = "head",
-                                  .bone_from_before = {{1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 2.0}},
-                                  .bone_from_cut = {{1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 5.0}}});
+                                  .before_from_cut = {{1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 3.0}},
+                                  .bone_from_before = {{1.0, 0.0, 0.0, 0.0}, {0.0, 0.0, 2.0}}});
   return plan;
 }
 
