@@ -62,7 +62,8 @@ struct DeviceRuns {
 struct OperationStanding {
   std::string scenario_name;
   std::int32_t attempts = 0;
-  /// The decided score where there is one.
+  /// The decided score where there is one. Last is what was begun last; of two that were begun on
+  /// different devices in the same millisecond, by the name of the device class.
   std::optional<std::int64_t> best_milli, last_milli;
   std::string last_started_utc;
   /// Of the attempts those for a grade that count.

@@ -216,6 +216,12 @@ class FixationPlanner {
     return points;
   }
 
+  /// The keys that decide where it goes.
+  static std::string mend_of(const PlannedImplant& implant) {
+    const bool is_screw = implant.kind == ImplantKind::Screw;
+    return std::string("mend entry, direction or ") + (is_screw ? "length_mm" : "depth_mm");
+  }
+
   PlannedImplant plan_implant(const Implant& implant, const std::string& path) {
     PlannedImplant planned{.kind = implant.kind,
                            .name = implant.name,
@@ -249,8 +255,8 @@ class FixationPlanner {
       return is_whole ? piece.has_value() : piece == body.piece;
     });
     if (static_cast<double>(within) * sample_mm >= engaged_least_mm) return;
-    throw ScenarioError(path + ": its axis misses \"" + name +
-                        "\", which it must engage; mend entry, direction or length_mm");
+    throw ScenarioError(path + ": its axis misses \"" + name + "\", which it must engage; " +
+                        mend_of(implant));
   }
 
   /// A surface moves with the fragment on which most of it lies; its middle may lie in a cut.
@@ -300,8 +306,8 @@ class FixationPlanner {
       clear.planned_mm = std::min(clear.planned_mm, distance_mm(point, *surface));
     if (clear.planned_mm >= asked.least_mm) return clear;
     throw ScenarioError(path + ": its axis comes within " + text_of_number(asked.least_mm) +
-                        " mm of the joint surface \"" + asked.joint_surface +
-                        "\"; mend entry, direction or length_mm");
+                        " mm of the joint surface \"" + asked.joint_surface + "\"; " +
+                        mend_of(implant));
   }
 
   const Scenario& scenario_;

@@ -1,62 +1,89 @@
 #include "simulator/bone/contact_points.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <limits>
-#include <map>
-#include <utility>
 
 namespace hallux::simulator {
 
 namespace {
 
-constexpr std::size_t wall_part = 3, all_parts = 4;
+/// Of all points: of rims, and of those where three faces meet.
+constexpr std::size_t rim_part = 3, tip_part = 1, all_parts = 4;
+/// One in so many is among the foremost.
+constexpr std::size_t foremost_part = 4;
 /// Directions that cancel to less than this part of their sum say nothing.
 constexpr double least_part = 0.2;
 
-/// Corners of one face of the solid, each once.
+/// Corners of the mesh, each once.
 using Corners = std::vector<std::uint32_t>;
 
-struct Faces {
-  /// By kerf and side.
-  std::map<std::pair<std::int32_t, std::int32_t>, Corners> walls;
+struct Rims {
+  /// Where a wall ends: at another one, or at the skin; and of those where three faces meet.
+  Corners along, tips;
+  /// Within the skin.
   Corners skin;
 };
 
-void make_unique(Corners& corners) {
-  std::sort(corners.begin(), corners.end());
-  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-}
+/// The different faces of the solid on which a corner lies, as many as are told apart.
+struct FacesOfCorner {
+  std::array<FaceSource, 3> faces;
+  std::size_t count = 0;
 
-Faces faces_of(const CutSolid& solid) {
-  Faces faces;
-  for (std::size_t i = 0; i < solid.mesh.triangles.size(); ++i) {
-    const FaceSource& source = solid.sources[i];
-    Corners& corners = source.kerf == -1 ? faces.skin : faces.walls[{source.kerf, source.side}];
-    corners.insert(corners.end(), solid.mesh.triangles[i].begin(), solid.mesh.triangles[i].end());
+  void add(const FaceSource& face) {
+    const auto end = faces.begin() + static_cast<std::ptrdiff_t>(count);
+    if (count < faces.size() && std::find(faces.begin(), end, face) == end) faces[count++] = face;
   }
-  make_unique(faces.skin);
-  for (auto& [source, corners] : faces.walls) make_unique(corners);
-  return faces;
+};
+
+Rims rims_of(const CutSolid& solid) {
+  std::vector<FacesOfCorner> corners(solid.mesh.points_mm.size());
+  for (std::size_t i = 0; i < solid.mesh.triangles.size(); ++i)
+    for (const std::uint32_t corner : solid.mesh.triangles[i])
+      corners[corner].add(solid.sources[i]);
+  Rims rims;
+  for (std::uint32_t corner = 0; corner < corners.size(); ++corner) {
+    const FacesOfCorner& of = corners[corner];
+    if (of.count > 1) rims.along.push_back(corner);
+    if (of.count > 2) rims.tips.push_back(corner);
+    if (of.count == 1 && of.faces[0].kerf == -1) rims.skin.push_back(corner);
+  }
+  return rims;
 }
 
-/// Adds the corner that lies furthest from those before it, again and again, begun with the one
-/// furthest from the middle.
-void spread(const IndexedMesh& mesh, const Corners& corners, std::size_t count,
-            std::vector<Vec3>& points_mm) {
+/// To the nearest of the points; where there are none yet, to the middle of the corners.
+std::vector<double> squared_ways(const IndexedMesh& mesh, const Corners& corners,
+                                 const std::vector<Vec3>& points_mm) {
   Vec3 middle{0.0, 0.0, 0.0};
   for (const std::uint32_t corner : corners) middle += mesh.points_mm[corner];
-  middle /= static_cast<double>(corners.size());
+  const std::vector<Vec3> only_middle{middle / static_cast<double>(corners.size())};
   std::vector<double> away_mm2;
-  for (const std::uint32_t corner : corners)
-    away_mm2.push_back(squared_length(mesh.points_mm[corner] - middle));
-  for (std::size_t added = 0; added < std::min(count, corners.size()); ++added) {
+  for (const std::uint32_t corner : corners) {
+    double least_mm2 = std::numeric_limits<double>::infinity();
+    for (const Vec3& point : points_mm.empty() ? only_middle : points_mm)
+      least_mm2 = std::min(least_mm2, squared_length(mesh.points_mm[corner] - point));
+    away_mm2.push_back(least_mm2);
+  }
+  return away_mm2;
+}
+
+/// Adds the corner that lies furthest from all points that there are, again and again until there
+/// are so many, or every corner is one.
+void spread(const IndexedMesh& mesh, const Corners& corners, std::size_t count,
+            std::vector<Vec3>& points_mm) {
+  if (corners.empty()) return;
+  std::vector<double> away_mm2 = squared_ways(mesh, corners, points_mm);
+  while (points_mm.size() < count) {
     const auto furthest = std::max_element(away_mm2.begin(), away_mm2.end());
-    const auto place = static_cast<std::size_t>(furthest - away_mm2.begin());
-    const Vec3 point = mesh.points_mm[corners[place]];
+    if (!(*furthest > 0.0)) return;
+    const Vec3 point =
+        mesh.points_mm[corners[static_cast<std::size_t>(furthest - away_mm2.begin())]];
+    const bool is_first = points_mm.empty();
     points_mm.push_back(point);
     for (std::size_t i = 0; i < corners.size(); ++i) {
       const double to_point_mm2 = squared_length(mesh.points_mm[corners[i]] - point);
-      away_mm2[i] = added == 0 ? to_point_mm2 : std::min(away_mm2[i], to_point_mm2);
+      away_mm2[i] = is_first ? to_point_mm2 : std::min(away_mm2[i], to_point_mm2);
     }
   }
 }
@@ -75,16 +102,14 @@ bool faces_any(const Vec3& point_mm, const Vec3& normal, std::span<const Bvh* co
 
 std::vector<Vec3> contact_points(const CutSolid& solid, std::size_t most) {
   std::vector<Vec3> points_mm;
-  const Faces faces = faces_of(solid);
-  if (!faces.walls.empty()) {
-    const std::size_t of_each =
-        std::max<std::size_t>(1, most * wall_part / all_parts / faces.walls.size());
-    for (const auto& [source, corners] : faces.walls) {
-      if (points_mm.size() + of_each > most) break;
-      spread(solid.mesh, corners, of_each, points_mm);
-    }
-  }
-  if (!faces.skin.empty()) spread(solid.mesh, faces.skin, most - points_mm.size(), points_mm);
+  const Rims rims = rims_of(solid);
+  const auto add = [&](std::size_t from, std::size_t to) {
+    spread(solid.mesh, rims.tips, from + (to - from) * tip_part / all_parts, points_mm);
+    spread(solid.mesh, rims.along, from + (to - from) * rim_part / all_parts, points_mm);
+    spread(solid.mesh, rims.skin, to, points_mm);
+  };
+  add(0, most / foremost_part);
+  add(most / foremost_part, most);
   return points_mm;
 }
 

@@ -1,8 +1,9 @@
 /// Points of a body's surface by which it meets others.
 ///
-/// A sawn wall is flat, so that its outermost points alone decide how another flat wall lies on it;
-/// skin is round, and is met anywhere. Hence as many points as there may be are first shared by the
-/// walls, each spread as far apart as they go, and a part of them is left to the skin.
+/// A sawn wall is flat, so that how another flat wall lies on it is decided where the two end: at
+/// their rims, and not only at tips, for a piece that was moved lies on a part of a wall. Skin is
+/// round, and is met anywhere. Hence tips come first, then as many points as there may be are
+/// spread over all rims, and a part of them is left to the skin.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +15,8 @@
 
 namespace hallux::simulator {
 
-/// At most `most` corners of the mesh, three quarters of them of walls where there are any.
+/// At most `most` corners of the mesh, three quarters of them of rims where there are any. The
+/// first quarter is spread over all of it, and what follows lies in between.
 /// ensures the same on every machine
 std::vector<Vec3> contact_points(const CutSolid& solid, std::size_t most);
 

@@ -1,6 +1,8 @@
 /// A tick's way is gone in parts of a quarter of a millimetre, with contacts looked for anew in
 /// each. Points remember how far they were from a surface: most of them are answered by that alone.
 /// Surfaces are held a few micrometres apart, so that the way out of each other is always known.
+/// After the way a few further points of each side are looked at: one that came into the other body
+/// is led out from the next tick on.
 #include "simulator/contact/gripped_body.h"
 
 #include <algorithm>
@@ -24,6 +26,9 @@ constexpr double bone_friction = 0.2, bone_kinetic_ratio = 0.8;
 constexpr double rounding_mm = 1.0e-9;
 /// Of a contact, for a claim.
 constexpr double touching_mm = 0.02;
+/// So many further points of a side are looked at in a tick, and so deep.
+constexpr int looked_at_once = 12;
+constexpr double look_mm = 0.3;
 
 /// A pose of the piece about its centroid.
 RigidTransform about_centroid(const RigidTransform& wound_from_piece, const Vec3& centroid_mm) {
@@ -67,6 +72,15 @@ std::optional<NearSurface> near_surface(const Bvh& surface, const Vec3& point_mm
                      side * found->distance_mm};
 }
 
+/// The same of another that stands; place and normal in the wound frame.
+std::optional<NearSurface> near_other(const StandingSurface& other, const Vec3& place_mm,
+                                      double within_mm, SurfaceMemory& memory) noexcept {
+  auto near = near_surface(*other.surface, transform_point(other.surface_from_wound, place_mm),
+                           within_mm, memory);
+  if (near) near->normal = transform_direction(other.wound_from_surface, near->normal);
+  return near;
+}
+
 bool is_at_joint(const GrippedBody& gripped, const Vec3& place_mm) noexcept {
   if (!gripped.joint) return false;
   const Vec3 arm = place_mm - gripped.joint->point_mm;
@@ -84,45 +98,37 @@ class GrippedContacts {
         margin_mm_(margin_mm),
         wound_from_piece_(from_centroid(pose, gripped.centroid_mm)),
         piece_from_wound_(inverse(wound_from_piece_)) {
-    std::size_t place = 0, theirs = 0;
-    for (const StandingSurface& other : gripped.others) {
-      add_own(other, gripped.clearances[place]);
-      add_theirs(other, gripped.clearances[place], theirs);
-      theirs += other.points_mm.size();
-      ++place;
-    }
+    std::size_t place = 0;
+    for (const StandingSurface& other : gripped.others) add_own(other, gripped.memories[place++]);
+    add_met();
   }
 
   std::span<const BladeContact> all() const noexcept { return contacts_.all(); }
 
  private:
   /// Points of the piece; of several surfaces each is held out of the nearest.
-  void add_own(const StandingSurface& other, std::span<SurfaceMemory> memory) noexcept {
-    for (std::size_t i = 0; i < gripped_.points_mm.size(); ++i) {
-      const Vec3 place_mm = transform_point(wound_from_piece_, gripped_.points_mm[i]);
+  void add_own(const StandingSurface& other, PointMemories& memories) noexcept {
+    const std::span<const std::size_t> slots = gripped_.asked.slots();
+    for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+      const Vec3 place_mm = transform_point(wound_from_piece_, gripped_.points_mm[slots[slot]]);
       if (is_at_joint(gripped_, place_mm)) continue;
-      const Vec3 point_mm = transform_point(other.surface_from_wound, place_mm);
-      const auto near = near_surface(*other.surface, point_mm, margin_mm_ + apart_mm, memory[i]);
-      if (!near) continue;
-      const Vec3 normal = transform_direction(other.wound_from_surface, near->normal);
-      put(i, place_mm, normal, near->height_mm - apart_mm);
+      const auto near = near_other(other, place_mm, margin_mm_ + apart_mm, memories[slots[slot]]);
+      if (near) put(slot, place_mm, near->normal, near->height_mm - apart_mm);
     }
   }
 
-  /// Points of another, which the piece must not take in; `first`: how many came before.
-  void add_theirs(const StandingSurface& other, std::span<SurfaceMemory> memory,
-                  std::size_t first) noexcept {
-    for (std::size_t i = 0; i < other.points_mm.size(); ++i) {
-      const std::size_t number = gripped_point_limit + first + i;
-      if (number >= 2 * gripped_point_limit) return;
-      const Vec3 place_mm = transform_point(other.wound_from_surface, other.points_mm[i]);
+  /// Points of the others, which the piece must not take in.
+  void add_met() noexcept {
+    const std::span<const std::size_t> slots = gripped_.asked_met.slots();
+    for (std::size_t slot = 0; slot < slots.size(); ++slot) {
+      const Vec3& place_mm = gripped_.met_points_mm.begin()[slots[slot]];
       if (is_at_joint(gripped_, place_mm)) continue;
       const Vec3 point_mm = transform_point(piece_from_wound_, place_mm);
       const auto near = near_surface(*gripped_.surface, point_mm, margin_mm_ + apart_mm,
-                                     memory[gripped_point_limit + i]);
+                                     gripped_.met_memories[slots[slot]]);
       if (!near) continue;
       const Vec3 normal = -transform_direction(wound_from_piece_, near->normal);
-      put(number, place_mm, normal, near->height_mm - apart_mm);
+      put(asked_point_limit + slot, place_mm, normal, near->height_mm - apart_mm);
     }
   }
 
@@ -145,6 +151,53 @@ class GrippedContacts {
   /// Of each point its place in the list, counted from 1; 0: none.
   std::array<std::size_t, contact_limit> place_of_{};
 };
+
+void forget_load(ProxyLoad& load, std::size_t point) noexcept {
+  load.normal_mm[point] = 0.0;
+  load.tangential_mm[point] = Vec3{0.0, 0.0, 0.0};
+}
+
+void look_at_own(GrippedBody& gripped) noexcept {
+  const std::size_t point = gripped.asked.next();
+  const Vec3 place_mm = transform_point(gripped.wound_from_piece, gripped.points_mm[point]);
+  if (is_at_joint(gripped, place_mm)) return;
+  bool is_in = false;
+  std::size_t place = 0;
+  for (const StandingSurface& other : gripped.others) {
+    const auto near = near_other(other, place_mm, look_mm, gripped.memories[place++][point]);
+    is_in = is_in || (near && near->height_mm < 0.0);
+  }
+  if (!is_in) return;
+  const auto away_mm = [&](std::size_t asked) {
+    double least_mm = gripped.memories[0][asked].clearance_mm;
+    for (std::size_t i = 1; i < gripped.others.size(); ++i)
+      least_mm = std::min(least_mm, gripped.memories[i][asked].clearance_mm);
+    return least_mm;
+  };
+  const std::size_t slot = gripped.asked.take_in(point, away_mm);
+  if (slot < asked_point_limit) forget_load(gripped.load, slot);
+}
+
+void look_at_met(GrippedBody& gripped, const RigidTransform& piece_from_wound) noexcept {
+  const std::size_t point = gripped.asked_met.next();
+  const Vec3& place_mm = gripped.met_points_mm.begin()[point];
+  if (is_at_joint(gripped, place_mm)) return;
+  const auto near = near_surface(*gripped.surface, transform_point(piece_from_wound, place_mm),
+                                 look_mm, gripped.met_memories[point]);
+  if (!near || !(near->height_mm < 0.0)) return;
+  const std::size_t slot = gripped.asked_met.take_in(
+      point, [&](std::size_t asked) { return gripped.met_memories[asked].clearance_mm; });
+  if (slot < asked_point_limit) forget_load(gripped.load, asked_point_limit + slot);
+}
+
+/// Beside the points that are asked in every tick.
+void look_further(GrippedBody& gripped) noexcept {
+  const RigidTransform piece_from_wound = inverse(gripped.wound_from_piece);
+  for (int i = 0; i < looked_at_once; ++i) {
+    if (gripped.asked.has_more()) look_at_own(gripped);
+    if (gripped.asked_met.has_more()) look_at_met(gripped, piece_from_wound);
+  }
+}
 
 /// The turn about a joint that comes nearest to a motion.
 double nearest_turn_rad(const WoundJoint& joint, const ProxyMotion& wanted, const Vec3& centre_mm,
@@ -237,6 +290,21 @@ double go_on(GrippedBody& gripped, Lead& lead, const ProxyMotion& wanted, double
 
 }  // namespace
 
+void choose_points(GrippedBody& gripped) noexcept {
+  gripped.met_points_mm = {};
+  bool has_more = true;
+  for (std::size_t rank = 0; has_more; ++rank) {
+    has_more = false;
+    for (const StandingSurface& other : gripped.others) {
+      if (rank >= other.points_mm.size() || gripped.met_points_mm.is_full()) continue;
+      gripped.met_points_mm.push(transform_point(other.wound_from_surface, other.points_mm[rank]));
+      has_more = true;
+    }
+  }
+  gripped.asked = AskedPoints(gripped.points_mm.size());
+  gripped.asked_met = AskedPoints(gripped.met_points_mm.size());
+}
+
 GrippedOutcome move_gripped(GrippedBody& gripped, const RigidTransform& wound_from_handle,
                             const std::optional<Vec3>& drive_mm,
                             const ContactSettings& settings) noexcept {
@@ -259,6 +327,7 @@ GrippedOutcome move_gripped(GrippedBody& gripped, const RigidTransform& wound_fr
     if (gone_mm + rounding_mm < most_mm || drive_mm) break;
   }
   gripped.wound_from_piece = from_centroid(lead.pose, gripped.centroid_mm);
+  look_further(gripped);
   outcome.moved_mm = length_of(lead.pose.translation_mm - from_mm);
   outcome.pull = coupling_pull(motion_between(lead.wanted, lead.pose), settings);
   return outcome;

@@ -4,7 +4,8 @@
 ///     handle --coupling--> wanted pose --contacts (proxy.h), joint--> pose of the piece
 ///
 /// Contact goes both ways: points of the piece against the surfaces of the others, and points of
-/// those against the surface of the piece; between flat walls that is all there is.
+/// those against the surface of the piece; between flat walls that is all there is. Most points lie
+/// far from the other body: those that matter are found as it moves (asked_points.h).
 #pragma once
 
 #include <array>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "simulator/base/fixed_list.h"
+#include "simulator/contact/asked_points.h"
 #include "simulator/contact/coupling.h"
 #include "simulator/contact/proxy.h"
 #include "simulator/contact/wound.h"
@@ -21,14 +23,12 @@
 
 namespace hallux::simulator {
 
-/// Points of the piece, and of all others together.
-inline constexpr std::size_t gripped_point_limit = 72;
-static_assert(2 * gripped_point_limit <= contact_limit);
+static_assert(2 * asked_point_limit <= contact_limit);
 
 /// What the piece meets: surfaces that do not move while it is gripped.
 struct StandingSurface {
   const Bvh* surface = nullptr;
-  /// In the surface's frame.
+  /// In the surface's frame, the foremost first.
   std::span<const Vec3> points_mm;
   RigidTransform wound_from_surface, surface_from_wound;
 };
@@ -46,10 +46,13 @@ struct WoundJoint {
   JointMotion moves = JointMotion::Turn;
 };
 
+/// What the points of one side remember of one surface.
+using PointMemories = std::array<SurfaceMemory, gripped_point_limit>;
+
 /// A piece in the forceps.
 struct GrippedBody {
   const Bvh* surface = nullptr;
-  /// In the piece's frame, at most gripped_point_limit.
+  /// In the piece's frame, the foremost first; at most gripped_point_limit.
   std::span<const Vec3> points_mm;
   Vec3 centroid_mm{0.0, 0.0, 0.0};
   FixedList<StandingSurface, static_cast<std::size_t>(fragment_limit)> others;
@@ -58,11 +61,19 @@ struct GrippedBody {
   /// As it was when the forceps closed.
   RigidTransform handle_from_piece;
   ProxyLoad load;
-  /// Clearances as they were asked last: of each point of the piece to each other, and back.
-  std::array<std::array<SurfaceMemory, 2 * gripped_point_limit>,
-             static_cast<std::size_t>(fragment_limit)>
-      clearances{};
+
+  /// Points of all others in the wound frame, the foremost of each first.
+  FixedList<Vec3, gripped_point_limit> met_points_mm;
+  AskedPoints asked, asked_met;
+  /// Of the piece's points each other surface, and of the points met the piece's.
+  std::array<PointMemories, static_cast<std::size_t>(fragment_limit)> memories{};
+  PointMemories met_memories{};
 };
+
+/// Begins with the foremost points of all.
+/// needs   the surfaces and their points are set
+/// thread  haptic
+void choose_points(GrippedBody& gripped) noexcept;
 
 struct GrippedOutcome {
   /// On the hand, in the wound frame.

@@ -28,8 +28,8 @@ FoundPiece found_from(const PieceBody& piece, std::int32_t main) {
   return found;
 }
 
-/// By which a piece meets others, and of each of those by which it is met.
-constexpr std::size_t points_of_piece = 72, points_met = 24;
+/// By which a piece meets others, and as many of all of those by which it is met.
+constexpr std::size_t points_of_piece = 256;
 constexpr std::int32_t no_piece = -1;
 
 const PieceBody* find_piece(const NumberedPieces& pieces, std::int32_t id) noexcept {
@@ -253,14 +253,18 @@ void AttemptGeometry::run_grip(JobResult& result) {
 /// Every other piece: those of its own fragment lie where it was, those of others where they lie.
 std::vector<MetFragment> AttemptGeometry::met_by(std::int32_t piece, std::int32_t fragment) const {
   std::vector<MetFragment> all;
+  std::vector<CutSolid> solids;
   for (std::size_t i = 0; i < fragments_.size(); ++i) {
     if (fragments_[i].is_out) continue;
     const auto number = static_cast<std::int32_t>(i);
-    const CutSolid others =
+    CutSolid others =
         fragments_[i].bone.pieces().gathered_without(number == fragment ? piece : no_piece);
     if (others.mesh.triangles.empty()) continue;
-    all.push_back({number, surface_over(others, number), contact_points(others, points_met)});
+    all.push_back({number, surface_over(others, number), {}});
+    solids.push_back(std::move(others));
   }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    all[i].points_mm = contact_points(solids[i], points_of_piece / all.size());
   return all;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "simulator/base/elementary.h"
 #include "simulator/mesh/edge_pairs.h"
@@ -10,8 +11,9 @@ namespace hallux::simulator {
 
 namespace {
 
-// Thinner than this part of its longest edge, a triangle's plane is lost in rounding.
-constexpr double sliver_limit = 1.0e-12;
+/// Where cuts meet at small angles, corners are known to no more than this: a triangle that is
+/// thinner may lie the wrong way round.
+constexpr double sliver_mm = 1.0e-5;
 
 Vec3 unit_normal_of(const std::array<Vec3, 3>& corner_mm) noexcept {
   const Vec3 ab = corner_mm[1] - corner_mm[0];
@@ -20,7 +22,7 @@ Vec3 unit_normal_of(const std::array<Vec3, 3>& corner_mm) noexcept {
   const Vec3 normal = glm::cross(ab, ac);
   const double longest_mm2 = std::max({squared_length(ab), squared_length(ac), squared_length(bc)});
   const double length = length_of(normal);
-  if (!(length > sliver_limit * longest_mm2)) return Vec3{0.0, 0.0, 0.0};
+  if (!(length > sliver_mm * std::sqrt(longest_mm2))) return Vec3{0.0, 0.0, 0.0};
   return normal / length;
 }
 

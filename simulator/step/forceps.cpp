@@ -22,6 +22,7 @@ void Forceps::hold(std::int32_t fragment, const GrippedPiece& found, const Wound
     body_.others.push({met.surface.get(), met.points_mm, standing->wound_from_fragment,
                        standing->fragment_from_wound});
   }
+  choose_points(body_);
 }
 
 GrippedOutcome Forceps::lead(const RigidTransform& wound_from_handle, double duration_s,

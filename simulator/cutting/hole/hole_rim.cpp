@@ -174,7 +174,9 @@ class RimTracer {
     add_rim(points);
   }
 
+  /// Fewer points are a graze of two triangles, along their edge and back.
   void add_rim(const std::vector<Vec3>& local_mm) {
+    if (local_mm.size() < 3) return;
     HoleRim rim;
     for (const Vec3& local : local_mm) {
       rim.points_mm.push_back(frame_.to_body(local));

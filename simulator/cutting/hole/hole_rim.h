@@ -11,15 +11,16 @@
 namespace hallux::simulator {
 
 struct HoleRim {
-  /// Each on the skin and on the cylinder; the last joins the first.
+  /// Each on the skin and on the cylinder, at least three; the last joins the first.
   std::vector<Vec3> points_mm;
   /// Mean way of its points along the axis, from the hole's beginning.
   double way_mm = 0.0;
 };
 
 /// The rims whose mean way lies between one radius before the beginning and the end of the hole, in
-/// order of it; none where the cylinder does not meet the skin. A slanting entry has one, longer
-/// rim; a hole along an edge of the bone may have one that runs down its side.
+/// order of it; none where the cylinder does not meet the skin, or only grazes an edge over less
+/// than a step. A slanting entry has one, longer rim; a hole along an edge of the bone may have one
+/// that runs down its side.
 /// shape   `tree` is that of `skin`, closed; steps of at most a 48th of a turn
 /// ensures each point that lies on an edge of the mesh is the same for both its triangles
 /// thread  any but haptic: fills vectors

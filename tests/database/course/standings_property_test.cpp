@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <tuple>
 
 #include "tests/database/some_database.h"
 
@@ -27,8 +28,10 @@ struct Remembered {
   std::optional<std::int64_t> milli() const {
     return decided_milli ? decided_milli : machine_milli;
   }
+  /// Of two on different devices that were begun in one moment, by the name of the device class.
   bool is_before(const Remembered& other) const {
-    return std::pair{started_s, attempt} < std::pair{other.started_s, other.attempt};
+    return std::tie(started_s, device, attempt) <
+           std::tie(other.started_s, other.device, other.attempt);
   }
 };
 

@@ -160,7 +160,7 @@ TEST_F(Chevron, RefusesImplantsThatMissWhatTheyMustHold) {
   altered["wires"][1]["direction"] = "dorsal_of_shaft";
   EXPECT_EQ(refusal(altered),
             "chevron: wires[1] \"holding_wire\": its axis misses \"first_metatarsal\", which it "
-            "must engage; mend entry, direction or length_mm");
+            "must engage; mend entry, direction or depth_mm");
 }
 
 TEST_F(Chevron, SetsTheAxisWireInTheHeadBeforeItIsShifted) {

@@ -216,7 +216,7 @@ TEST(Fixation, KeepsAnAxisOffAJointSurface) {
   whole["wires"][0]["depth_mm"] = {47.5, 49};
   EXPECT_EQ(refusal(whole),
             "block: wires[0] \"wire\": its axis comes within 2 mm of the joint surface "
-            "\"end_surface\"; mend entry, direction or length_mm");
+            "\"end_surface\"; mend entry, direction or depth_mm");
   whole["wires"][0]["depth_mm"] = {60, 70};
   EXPECT_NE(refusal(whole).find("comes within 2 mm"), std::string::npos)
       << "it pierces the surface";

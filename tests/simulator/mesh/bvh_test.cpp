@@ -125,28 +125,36 @@ TEST(Bvh, SignHoldsBesideCornersAndEdges) {
   }
 }
 
-TEST(Bvh, SignHoldsBesideSlivers) {
+/// A block of 2 mm. A point beside the middle of an edge that two triangles share is put into both:
+/// one of the four new triangles is a line, or lies the wrong way round.
+IndexedMesh block_with_sliver(double aside_mm) {
   IndexedMesh mesh = solid_block(Vec3{2.0, 2.0, 2.0});
-  // A point on an edge that two triangles share is put into both: one of the four new triangles is
-  // a line.
   const Triangle first = mesh.triangles[0];
+  const auto [from, to, across] = corners_of(mesh, 0);
+  const Vec3 inward = glm::cross(glm::cross(to - from, across - from), to - from);
   const auto middle = static_cast<std::uint32_t>(mesh.points_mm.size());
-  mesh.points_mm.push_back(mesh.points_mm[first[0]] +
-                           0.5 * (mesh.points_mm[first[1]] - mesh.points_mm[first[0]]));
+  mesh.points_mm.push_back(from + 0.5 * (to - from) + aside_mm / length_of(inward) * inward);
   mesh.triangles[0] = {middle, first[1], first[2]};
   mesh.triangles.push_back({first[0], middle, first[2]});
   mesh.triangles.push_back({first[0], first[1], middle});
-  const Bvh bvh{mesh};
+  return mesh;
+}
+
+TEST(Bvh, SignHoldsBesideSlivers) {
   Random random{4};
-  for (int i = 0; i < 500; ++i) {
-    const Vec3 point = mesh.points_mm[middle] + any_point(random, 0.4);
-    const auto found = bvh.nearest(point);
-    ASSERT_TRUE(found);
-    const bool is_inside =
-        std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z)}) < 1.0;
-    ASSERT_EQ(found->is_inside, is_inside);
-    ASSERT_NEAR(found->distance_mm, nearest_by_force_mm(solid_block(Vec3{2.0, 2.0, 2.0}), point),
-                1.0e-12);
+  for (const double aside_mm : {0.0, 2.0e-7, -2.0e-7}) {
+    const IndexedMesh mesh = block_with_sliver(aside_mm);
+    const Bvh bvh{mesh};
+    for (int i = 0; i < 500; ++i) {
+      const Vec3 point = mesh.points_mm.back() + any_point(random, 0.4);
+      const auto found = bvh.nearest(point);
+      ASSERT_TRUE(found);
+      const bool is_inside =
+          std::max({std::fabs(point.x), std::fabs(point.y), std::fabs(point.z)}) < 1.0;
+      ASSERT_EQ(found->is_inside, is_inside) << aside_mm;
+      ASSERT_NEAR(found->distance_mm, nearest_by_force_mm(solid_block(Vec3{2.0, 2.0, 2.0}), point),
+                  std::abs(aside_mm) + 1.0e-12);
+    }
   }
 }
 

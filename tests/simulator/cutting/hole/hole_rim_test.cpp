@@ -81,6 +81,18 @@ TEST(HoleRim, OfAHoleWithinAnEdgeRunsDownBothFaces) {
   }
 }
 
+TEST(HoleRim, OfAHoleThatGrazesAnEdgeIsNone) {
+  // The edge of the block lies 1e-4 mm deep in the cylinder: 0.03 mm of it are taken.
+  const IndexedMesh block = solid_block({20.0, 20.0, 20.0});
+  const double away_mm = (1.0 - 1.0e-4) / std::sqrt(2.0);
+  const Vec3 middle{10.0 + away_mm, 10.0 + away_mm, 0.3};
+  const Vec3 way{40.0 / std::sqrt(2.0), -40.0 / std::sqrt(2.0), 0.0};
+  EXPECT_TRUE(rims_of(block, {middle - way, middle + way, 1.0}).empty());
+  // Deeper it has one, down one face and up the other.
+  const Vec3 deeper{10.0 + 0.6, 10.0 + 0.6, 0.3};
+  EXPECT_EQ(rims_of(block, {deeper - way, deeper + way, 1.0}).size(), 1U);
+}
+
 TEST(HoleRim, OfAHoleThatDoesNotMeetTheSkinIsNone) {
   const IndexedMesh block = solid_block({20.0, 20.0, 20.0});
   EXPECT_TRUE(rims_of(block, {{30.0, 12.0, 0.0}, {30.0, -12.0, 0.0}, 1.0}).empty());
