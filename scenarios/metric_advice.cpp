@@ -80,6 +80,8 @@ constexpr std::array<MetricAdvice, static_cast<std::size_t>(Metric::Count)> advi
      "Slide it along both faces, and look from the end of the toe before you impact."},
     {Metric::ElevationMm, "A raised head no longer bears, and its neighbours bear too much.",
      "Look from medial before you impact: head and shaft are to stand as high as before."},
+    {Metric::Shifted, "A piece that stays where it was corrects nothing.",
+     "Saw until it is free, then lead it as far as the plan shows."},
     {Metric::Fixed, "What is not held slips.", "Hold it with a screw, or with two crossed wires."},
     {Metric::DirectionDeg, "An axis that is off misses what it is to hold.",
      "Line up driver and target from two sides before the tip bites."},

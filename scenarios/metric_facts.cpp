@@ -111,6 +111,10 @@ constexpr std::array<MetricFacts, static_cast<std::size_t>(Metric::Count)> facts
     {Metric::ElevationMm,
      "way of the fragment's centroid along the foot's dorsal, less the planned one",
      "docs/metrics.md; a raised head no longer bears"},
+    {Metric::Shifted,
+     "1 where the fragment was parted, and its centroid went at least half of the planned way, in "
+     "its direction",
+     "docs/metrics.md"},
     {Metric::Fixed,
      "1 where a screw, or two wires that are not parallel, go at least 1 mm through the fragment "
      "and another body",

@@ -216,6 +216,7 @@ constexpr std::array<MetricName, static_cast<std::size_t>(Metric::Count)> metric
      {"It stands ", " above or below the planned height", ", too far "},
      false,
      true},
+    {Metric::Shifted, "shifted", "", OneFragment, Higher, {}, true},
     {Metric::Fixed, "fixed", "", OneFragment, Higher, {}, true},
     {Metric::DirectionDeg,
      "direction_deg",

@@ -47,6 +47,7 @@ enum class Metric : std::uint8_t {
   ShiftErrorMm,
   TurnErrorDeg,
   ElevationMm,
+  Shifted,
   Fixed,
   DirectionDeg,
   TipToJointMm,

@@ -21,6 +21,8 @@ using scenarios::PlannedFragment;
 constexpr std::array of_fragments{Metric::ShiftMm,     Metric::ShiftErrorMm, Metric::TurnErrorDeg,
                                   Metric::ElevationMm, Metric::ContactShare, Metric::GapMm,
                                   Metric::Fixed};
+/// Of the planned way and along it, for one that was shifted.
+constexpr double least_way = 0.5;
 
 /// A planned fragment that was parted, and how it lies.
 struct LeftFragment {
@@ -65,6 +67,7 @@ class FragmentMetrics {
                                   of(Metric::ElevationMm, raised_mm),
                                   of_sawn(Metric::ContactShare, placement.contact_share),
                                   of_sawn(Metric::GapMm, placement.gap_max_mm),
+                                  of(Metric::Shifted, is_shifted() ? 1.0 : 0.0),
                                   of(Metric::Fixed, fragment_.is_held ? 1.0 : 0.0)};
     made[1].direction = scenarios::direction_text(off_mm_);
     made[3].direction = raised_mm >= 0.0 ? "dorsal" : "plantar";
@@ -75,6 +78,12 @@ class FragmentMetrics {
   }
 
  private:
+  bool is_shifted() const {
+    const Vec3& centroid_mm = fragment_.body.centroid_in_bone_mm;
+    const Vec3 way_mm =
+        transform_point(fragment_.planned.bone_from_rest, centroid_mm) - centroid_mm;
+    return glm::dot(reached_mm_ - centroid_mm, way_mm) >= least_way * glm::dot(way_mm, way_mm);
+  }
   Measurement of(Metric metric, double value) const {
     return measured(metric, value, fragment_.last_laid, reached_mm_);
   }
@@ -87,11 +96,14 @@ class FragmentMetrics {
   Vec3 reached_mm_, off_mm_;
 };
 
-std::vector<Measurement> not_done(const PlannedFragment& planned) {
+/// Of one that was never parted, or was taken out: that it was not shifted is known.
+std::vector<Measurement> not_done(const PlannedFragment& planned, const Evidence& evidence) {
   std::vector<Measurement> made;
-  made.reserve(of_fragments.size());
+  made.reserve(of_fragments.size() + 1);
   for (const Metric metric : of_fragments)
     made.push_back(absent(metric, Absence::NotDone, planned.holds_in_bone_mm));
+  const std::int64_t tick = last_tick_of(evidence.recording);
+  made.push_back(measured(Metric::Shifted, 0.0, {tick, tick}, planned.holds_in_bone_mm));
   return made;
 }
 
@@ -103,7 +115,7 @@ std::vector<Measurement> measure_fragments(const WhatIsLeft& left, const Evidenc
     const auto found = std::ranges::find_if(left.bodies, [&](const Body& body) {
       return body.name == planned.name && body.fragment >= 0;
     });
-    std::vector<Measurement> made = not_done(planned);
+    std::vector<Measurement> made = not_done(planned, evidence);
     if (found != left.bodies.end()) {
       const auto index = static_cast<std::size_t>(found - left.bodies.begin());
       made = FragmentMetrics({planned, *found, left.placements[index], left.is_held[index],

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -117,20 +118,31 @@ TEST(Scenario, AkinWeighsAllOfItsGroups) {
   EXPECT_EQ(rubric.gates[3].cap_milli, 59'000);
 }
 
-/// What an operation removes or closes is asked for by a gate that leaves nobody above the pass
-/// mark without it.
+std::string metric_of_deed(StepKind kind) {
+  if (kind == StepKind::Remove) return "piece_out";
+  if (kind == StepKind::Close) return "wedge_closed";
+  return kind == StepKind::Shift ? "shifted" : "";
+}
+
+std::string shifted_fragment(const Scenario& scenario, const OperationStep& step) {
+  const auto shift = std::ranges::find(scenario.shifts, step.shift, &FragmentShift::name);
+  return shift == scenario.shifts.end() ? "" : shift->fragment;
+}
+
+/// What an operation removes, closes or shifts is asked for by a gate that leaves nobody above the
+/// pass mark without it.
 TEST(Scenario, EveryShippedOneGatesItsDeeds) {
   constexpr std::int64_t pass_mark_milli = 60'000;
   for (const EmbeddedText& shipped : shipped_scenarios()) {
     const Scenario scenario = parse_scenario(shipped.text, shipped.name);
     for (const OperationStep& step : scenario.steps) {
-      if (step.kind != StepKind::Remove && step.kind != StepKind::Close) continue;
-      const std::string metric = step.kind == StepKind::Remove ? "piece_out" : "wedge_closed";
-      const auto gate = std::find_if(scenario.rubric.gates.begin(), scenario.rubric.gates.end(),
-                                     [&](const Gate& each) {
-                                       return each.metric == metric && each.cut == step.cut &&
-                                              each.hinge == step.hinge && each.is_at_least;
-                                     });
+      const std::string metric = metric_of_deed(step.kind);
+      if (metric.empty()) continue;
+      const auto gate = std::find_if(
+          scenario.rubric.gates.begin(), scenario.rubric.gates.end(), [&](const Gate& each) {
+            return each.metric == metric && each.cut == step.cut && each.hinge == step.hinge &&
+                   each.fragment == shifted_fragment(scenario, step) && each.is_at_least;
+          });
       ASSERT_NE(gate, scenario.rubric.gates.end()) << scenario.name << ": " << step.title;
       EXPECT_EQ(gate->limit, 1.0);
       EXPECT_LT(gate->cap_milli, pass_mark_milli);

@@ -117,9 +117,24 @@ TEST_F(Fixed, AFragmentThatWasLedTooShort) {
   EXPECT_NEAR(value("elevation_mm", "end"), 0.0, 0.02);
   EXPECT_EQ(value("contact_share", "end"), 0.0) << "the kerf is between them";
   EXPECT_NEAR(value("gap_mm", "end"), 0.5, 0.02);
+  EXPECT_EQ(value("shifted", "end"), 1.0);
   EXPECT_EQ(value("fixed", "end"), 0.0);
   EXPECT_EQ(find("shift_error_mm", "end").start_us,
             run_.events(simulator::CutEventKind::Released).back().tick * 1000);
+}
+
+TEST_F(Fixed, AFragmentThatWasLedLessThanHalfItsWayIsNotShifted) {
+  lead({0.0, 0.0, 1.5});
+  measure(plan_of_the_end());
+  EXPECT_NEAR(value("shift_error_mm", "end"), 2.5, 0.02);
+  EXPECT_EQ(value("shifted", "end"), 0.0);
+}
+
+TEST_F(Fixed, AFragmentThatWasLedTheOtherWayIsNotShifted) {
+  lead({0.0, 0.0, -4.0});
+  measure(plan_of_the_end());
+  EXPECT_NEAR(value("shift_mm", "end"), 4.0, 0.02);
+  EXPECT_EQ(value("shifted", "end"), 0.0);
 }
 
 TEST_F(Fixed, AFragmentThatIsRaised) {
@@ -135,8 +150,11 @@ TEST_F(Fixed, WhatWasNeverPartedIsNotDone) {
   plan.fixation.fragments[0].holds_in_bone_mm = {10.0, 20.0, 0.0};
   plan.fixation.implants = {along(ImplantKind::Wire, "pin", 1.0, 1.0, 23.0)};
   measure(plan);
-  for (const Measurement& each : all_) EXPECT_EQ(each.absence, Absence::NotDone) << each.metric;
-  EXPECT_EQ(all_.size(), 15U);
+  for (const Measurement& each : all_) {
+    if (each.metric != "shifted") EXPECT_EQ(each.absence, Absence::NotDone) << each.metric;
+  }
+  EXPECT_EQ(value("shifted", "elsewhere"), 0.0) << "for a gate";
+  EXPECT_EQ(all_.size(), 16U);
 }
 
 TEST_F(Fixed, AWireAgainstItsPlan) {

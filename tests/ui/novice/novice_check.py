@@ -28,7 +28,7 @@ from window_check import opened_course, rows_of, wait_until
 HANDS = {"mouse": MouseHand, "keyboard": KeyboardHand}
 LIMIT_S, MOST_WRONG_TURNS, PATIENCE_S = 240, 3, 150.0
 # The question at the end, and the gates that say what was not done.
-FINISHED, DEEDS = "operate.ask_finish.act", ("piece_out", "wedge_closed", "eminence_out", "head_out")
+FINISHED, DEEDS = "operate.ask_finish.act", ("piece_out", "wedge_closed", "eminence_out", "head_out", "head_shifted")
 # So long somebody is misled.
 MISLED_S = 90
 # A machine without a GPU that does much else is slower than the attempt's clock.

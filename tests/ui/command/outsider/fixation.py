@@ -143,13 +143,16 @@ def fragment_metrics(site, fragment):
     """The first table."""
     body = site.body_of(fragment)
     if body is None:
-        return dict.fromkeys(("shift_mm", "shift_error_mm", "turn_error_deg", "elevation_mm", "fixed"))
+        absent = dict.fromkeys(("shift_mm", "shift_error_mm", "turn_error_deg", "elevation_mm", "fixed"))
+        return {**absent, "shifted": 0}
     planned, centroid = pose_from_matrix(fragment["pose"]), body.volume_and_centroid[1]
     off = sub(body.pose.point(centroid), planned.point(centroid))
-    return {"shift_mm": length(sub(body.pose.point(centroid), centroid)),
+    gone, way = sub(body.pose.point(centroid), centroid), sub(planned.point(centroid), centroid)
+    return {"shift_mm": length(gone),
             "shift_error_mm": length(off),
             "turn_error_deg": turn_deg(planned.inverse().after(body.pose)),
             "elevation_mm": dot(off, fragment["dorsal_in_bone"]),
+            "shifted": 1 if 2 * dot(gone, way) >= dot(way, way) else 0,
             "fixed": 1 if is_fixed(site, body.name) else 0}
 
 
