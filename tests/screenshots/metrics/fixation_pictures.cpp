@@ -55,6 +55,7 @@ void draw_shift(SvgPage& page) {
   page.label({370.0, 110.0}, {272.0, 150.0}, "shift_error_mm");
   page.arrow({270.0, 265.0}, {278.0, 163.0}, "thin");
   page.text({225.0, 282.0}, "shift_mm: its whole way");
+  page.text({225.0, 302.0}, "shifted: at least half of the planned one");
   page.line({328.0, 84.0}, {346.0, 212.0}, "cut");
   page.line({328.0, 84.0}, {328.0, 212.0}, "plan");
   draw_arc(page, {328.0, 84.0}, {0.0, 128.0}, {18.0, 128.0}, 100.0);
