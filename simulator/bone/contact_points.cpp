@@ -107,6 +107,8 @@ std::vector<Vec3> contact_points(const CutSolid& solid, std::size_t most) {
     spread(solid.mesh, rims.tips, from + (to - from) * tip_part / all_parts, points_mm);
     spread(solid.mesh, rims.along, from + (to - from) * rim_part / all_parts, points_mm);
     spread(solid.mesh, rims.skin, to, points_mm);
+    // Where there is little skin.
+    spread(solid.mesh, rims.along, to, points_mm);
   };
   add(0, most / foremost_part);
   add(most / foremost_part, most);

@@ -193,7 +193,7 @@ TEST(Fixation, MeetsAFragmentWhereItWasShiftedTo) {
   whole["shifts"][0]["moves"][0]["mm"] = 11;
   EXPECT_EQ(refusal(whole),
             "block: wires[0] \"wire\": its axis misses \"tip\", which it must engage; mend entry, "
-            "direction or length_mm")
+            "direction or depth_mm")
       << "the tip lies 1 mm beside it";
   whole["steps"][3]["kind"] = "guide_wire";
   EXPECT_EQ(refusal(whole), "") << "a guide wire is set before anything is cut";
