@@ -15,7 +15,7 @@
 namespace hallux::simulator {
 
 /// Points of one side, and those that are asked in every tick.
-inline constexpr std::size_t gripped_point_limit = 256, asked_point_limit = 72;
+inline constexpr std::size_t gripped_point_limit = 256, asked_point_limit = 28;
 
 class AskedPoints {
  public:
