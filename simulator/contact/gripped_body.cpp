@@ -27,7 +27,7 @@ constexpr double rounding_mm = 1.0e-9;
 /// Of a contact, for a claim.
 constexpr double touching_mm = 0.02;
 /// So many further points of a side are looked at in a tick, and so deep.
-constexpr int looked_at_once = 4;
+constexpr int looked_at_once = 12;
 constexpr double look_mm = 0.3;
 
 /// A pose of the piece about its centroid.
