@@ -152,11 +152,6 @@ class GrippedContacts {
   std::array<std::size_t, contact_limit> place_of_{};
 };
 
-void forget_load(ProxyLoad& load, std::size_t point) noexcept {
-  load.normal_mm[point] = 0.0;
-  load.tangential_mm[point] = Vec3{0.0, 0.0, 0.0};
-}
-
 void look_at_own(GrippedBody& gripped) noexcept {
   const std::size_t point = gripped.asked.next();
   const Vec3 place_mm = transform_point(gripped.wound_from_piece, gripped.points_mm[point]);
@@ -175,7 +170,7 @@ void look_at_own(GrippedBody& gripped) noexcept {
     return least_mm;
   };
   const std::size_t slot = gripped.asked.take_in(point, away_mm);
-  if (slot < asked_point_limit) forget_load(gripped.load, slot);
+  if (slot < asked_point_limit) gripped.load.forget(slot);
 }
 
 void look_at_met(GrippedBody& gripped, const RigidTransform& piece_from_wound) noexcept {
@@ -187,7 +182,7 @@ void look_at_met(GrippedBody& gripped, const RigidTransform& piece_from_wound) n
   if (!near || !(near->height_mm < 0.0)) return;
   const std::size_t slot = gripped.asked_met.take_in(
       point, [&](std::size_t asked) { return gripped.met_memories[asked].clearance_mm; });
-  if (slot < asked_point_limit) forget_load(gripped.load, asked_point_limit + slot);
+  if (slot < asked_point_limit) gripped.load.forget(asked_point_limit + slot);
 }
 
 /// Beside the points that are asked in every tick.

@@ -74,9 +74,7 @@ void forget_others(ProxyLoad& load, std::span<const BladeContact> contacts) noex
   std::array<bool, contact_limit> is_near{};
   for (const BladeContact& contact : contacts) is_near[contact.point] = true;
   for (std::size_t point = 0; point < contact_limit; ++point) {
-    if (is_near[point]) continue;
-    load.normal_mm[point] = 0.0;
-    load.tangential_mm[point] = Vec3{0.0, 0.0, 0.0};
+    if (!is_near[point]) load.forget(point);
   }
 }
 

@@ -41,6 +41,12 @@ struct ProxyLoad {
   std::array<double, contact_limit> normal_mm{};
   std::array<Vec3, contact_limit> tangential_mm{};
   bool slides = false;
+
+  /// The point bears nothing.
+  void forget(std::size_t point) noexcept {
+    normal_mm[point] = 0.0;
+    tangential_mm[point] = Vec3{0.0, 0.0, 0.0};
+  }
 };
 
 struct ProxyResult {
