@@ -47,7 +47,8 @@ TEST(ScenarioSheet, SaysAnglesLengthsAndTheOrderOfSteps) {
         "to_lateral: Head to lateral, of head; 5 mm along wire; closed until the faces touch",
         "screw of 2.5 to 3 mm from screw_entry along screw_axis", "20 to 24 mm deep",
         "2 mm clear of head_surface", "[fix screw, after hold]",
-        "[retract, after verify, optional]", "medial_of_shaft turned by 5 deg about shaft"})
+        "[retract, after verify, optional]", "medial_of_shaft turned by 5 deg about shaft",
+        "shifted of head below 1", "shift_mm of head above 8 mm"})
     EXPECT_NE(sheet.find(line), std::string::npos) << line << "\n" << sheet;
 }
 

@@ -180,9 +180,10 @@ void write_rubric(std::ostream& out, const Rubric& rubric) {
   out << "\nGates\n";
   for (const Gate& gate : rubric.gates) {
     out << "  " << gate.title << ": " << gate.metric
-        << (subject_of(gate).empty() ? "" : " of " + subject_of(gate)) << " above "
-        << sheet_number(gate.limit) << " " << gate.unit << " caps the score at "
-        << points_text(gate.cap_milli) << provisional_text(gate.is_provisional) << "\n";
+        << (subject_of(gate).empty() ? "" : " of " + subject_of(gate))
+        << (gate.is_at_least ? " below " : " above ") << sheet_number(gate.limit) << " "
+        << gate.unit << " caps the score at " << points_text(gate.cap_milli)
+        << provisional_text(gate.is_provisional) << "\n";
     write_origin(out, gate.origin);
   }
 }
