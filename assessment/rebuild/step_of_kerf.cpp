@@ -7,7 +7,6 @@ namespace hallux::assessment {
 
 namespace {
 
-using scenarios::StepKind;
 using simulator::CutEvent;
 using simulator::CutEventKind;
 using simulator::ToolSample;
