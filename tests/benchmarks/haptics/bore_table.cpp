@@ -4,15 +4,12 @@
 //
 // Bones of 5,000, 50,000 and 500,000 triangles, or as many as are said. Processor time of each
 // tick, as Markdown.
-#include <exception>
-#include <iostream>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "simulator/base/elementary.h"
+#include "tests/benchmarks/haptics/tick_costs.h"
 #include "tests/benchmarks/report/percentiles.h"
-#include "tests/benchmarks/report/table.h"
 #include "tests/benchmarks/worlds/bone_like.h"
 #include "tests/simulator/contact/bore/bore_world.h"
 #include "tests/simulator/step/simulation_run.h"
@@ -68,41 +65,16 @@ Percentiles laid(const simulator::Bone& bone) {
   });
 }
 
-Table cost_of_a_tick(const std::vector<std::size_t>& sizes) {
-  Table table{
-      .name = "bore_cost",
-      .title = "What a tick of a wire costs, processor time",
-      .columns = {"triangles", "while", "ticks", "p50 us", "p99 us", "greatest us"},
-      .rows = {},
-      .notes = {"a million square roots in a row take " + text_of(calibration_ms()) + " ms here"}};
-  for (const std::size_t triangles : sizes) {
-    simulator::Bone bone = tests::cortical_bone(make_bone_like({triangles, false}));
-    bone.cortex = simulator::CortexLaw{.length_mm = 62.0};
-    const std::pair<std::string, Percentiles> runs[] = {{"bored", bored(bone)},
-                                                        {"laid on", laid(bone)}};
-    for (const auto& [what, spread] : runs) {
-      table.rows.push_back({static_cast<double>(bone.outer.triangles.size()), what,
-                            static_cast<double>(spread.count), spread.median, spread.p99,
-                            spread.greatest});
-    }
-  }
-  return table;
-}
-
 }  // namespace
 
 }  // namespace hallux::benchmarks
 
 int main(int count, char** words) {
   using namespace hallux::benchmarks;
-  try {
-    std::vector<std::size_t> sizes;
-    for (int i = 1; i < count; ++i) sizes.push_back(std::stoul(words[i]));
-    if (sizes.empty()) sizes = {5'000, 50'000, 500'000};
-    print_table(std::cout, cost_of_a_tick(sizes));
-  } catch (const std::exception& error) {
-    std::cerr << "bore_table: " << error.what() << "\nusage: bore_table [TRIANGLES...]\n";
-    return 2;
-  }
-  return 0;
+  const TickCosts costs{.program = "bore_table",
+                        .name = "bore_cost",
+                        .title = "What a tick of a wire costs, processor time",
+                        .counted = "ticks",
+                        .work = {{"bored", bored}, {"laid on", laid}}};
+  return print_tick_costs(costs, count, words);
 }

@@ -4,16 +4,12 @@
 //
 // Bones of 5,000, 50,000 and 500,000 triangles, or as many as are said. Processor time of each
 // call, as Markdown.
-#include <algorithm>
-#include <exception>
-#include <iostream>
-#include <string>
 #include <utility>
 #include <vector>
 
 #include "simulator/base/elementary.h"
+#include "tests/benchmarks/haptics/tick_costs.h"
 #include "tests/benchmarks/report/percentiles.h"
-#include "tests/benchmarks/report/table.h"
 #include "tests/benchmarks/worlds/bone_like.h"
 #include "tests/simulator/step/simulation_run.h"
 
@@ -27,42 +23,13 @@ using tests::SimulationRun;
 
 constexpr double coupling_newton_per_mm = 2.0;
 
-/// Of the middle of the shaft; its surface is within 6 to 8 mm of the axis.
-
+/// At a place of the middle of the shaft, whose surface lies 6 to 8 mm off its axis.
 void push_for(SimulationRun& run, const Vec3& place_mm, double force_newton, int ticks) {
   for (int i = 0; i < ticks; ++i) {
     const double lead_mm = force_newton / coupling_newton_per_mm;
     run.glide(blade_down({place_mm.x, run.bone_from_tool().translation_mm.y - lead_mm, place_mm.z}),
               1);
   }
-}
-
-/// Two strokes side by side, the second in the slot of the first.
-simulator::Recording sawn(const Bone& bone) {
-  const Vec3 middle = middle_of(bone.outer);
-  SimulationRun run(bone, blade_down(middle + Vec3{0.0, 12.0, 0.0}));
-  for (const double aside_mm : {-2.0, 2.0}) {
-    const Vec3 place = middle + Vec3{0.0, 12.0, aside_mm};
-    run.glide(blade_down(place), 300);
-    push_for(run, place, 12.0, 4000);
-    run.glide(blade_down(place), 300);
-  }
-  return run.recording();
-}
-
-/// The blade's face on the shaft, pressed with 6 N, slid and tilted to and fro.
-simulator::Recording laid(const Bone& bone) {
-  const Vec3 middle = middle_of(bone.outer);
-  const Quat flat = rotation_from_axes(Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, 1.0});
-  SimulationRun run(bone, {flat, middle + Vec3{8.0, 12.0, 0.0}});
-  run.switches = 0;
-  for (int i = 0; i < 4000; ++i) {
-    const double swing = elementary::sin(0.003 * i);
-    const Vec3 place = middle + Vec3{8.0 + 3.0 * swing, 4.0, 2.0 * swing};
-    const Quat tilt = rotation_about(Vec3{1.0, 0.0, 0.0}, 0.1 * swing);
-    run.glide({normalised(tilt * flat), place}, 1);
-  }
-  return run.recording();
 }
 
 /// Each call once more through a step of its own.
@@ -86,26 +53,32 @@ Percentiles cost_us(const Bone& bone, const simulator::Recording& recording) {
   return percentiles_of(std::move(times_us));
 }
 
-Table cost_of_a_step(const std::vector<std::size_t>& sizes) {
-  Table table{
-      .name = "step_cost",
-      .title = "What a call of the step costs, processor time",
-      .columns = {"triangles", "while", "calls", "p50 us", "p99 us", "greatest us"},
-      .rows = {},
-      .notes = {"a million square roots in a row take " + text_of(calibration_ms()) + " ms here"}};
-  for (const std::size_t triangles : sizes) {
-    Bone bone = tests::cortical_bone(make_bone_like({triangles, false}));
-    bone.cortex = simulator::CortexLaw{.length_mm = 62.0};
-    const std::pair<std::string, simulator::Recording> runs[] = {{"sawn", sawn(bone)},
-                                                                 {"laid on", laid(bone)}};
-    for (const auto& [what, recording] : runs) {
-      const Percentiles spread = cost_us(bone, recording);
-      table.rows.push_back({static_cast<double>(bone.outer.triangles.size()), what,
-                            static_cast<double>(spread.count), spread.median, spread.p99,
-                            spread.greatest});
-    }
+/// Two strokes side by side, the second in the slot of the first.
+Percentiles sawn(const Bone& bone) {
+  const Vec3 middle = middle_of(bone.outer);
+  SimulationRun run(bone, blade_down(middle + Vec3{0.0, 12.0, 0.0}));
+  for (const double aside_mm : {-2.0, 2.0}) {
+    const Vec3 place = middle + Vec3{0.0, 12.0, aside_mm};
+    run.glide(blade_down(place), 300);
+    push_for(run, place, 12.0, 4000);
+    run.glide(blade_down(place), 300);
   }
-  return table;
+  return cost_us(bone, run.recording());
+}
+
+/// The blade's face on the shaft, pressed with 6 N, slid and tilted to and fro.
+Percentiles laid(const Bone& bone) {
+  const Vec3 middle = middle_of(bone.outer);
+  const Quat flat = rotation_from_axes(Vec3{1.0, 0.0, 0.0}, Vec3{0.0, 0.0, 1.0});
+  SimulationRun run(bone, {flat, middle + Vec3{8.0, 12.0, 0.0}});
+  run.switches = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double swing = elementary::sin(0.003 * i);
+    const Vec3 place = middle + Vec3{8.0 + 3.0 * swing, 4.0, 2.0 * swing};
+    const Quat tilt = rotation_about(Vec3{1.0, 0.0, 0.0}, 0.1 * swing);
+    run.glide({normalised(tilt * flat), place}, 1);
+  }
+  return cost_us(bone, run.recording());
 }
 
 }  // namespace
@@ -114,14 +87,10 @@ Table cost_of_a_step(const std::vector<std::size_t>& sizes) {
 
 int main(int count, char** words) {
   using namespace hallux::benchmarks;
-  try {
-    std::vector<std::size_t> sizes;
-    for (int i = 1; i < count; ++i) sizes.push_back(std::stoul(words[i]));
-    if (sizes.empty()) sizes = {5'000, 50'000, 500'000};
-    print_table(std::cout, cost_of_a_step(sizes));
-  } catch (const std::exception& error) {
-    std::cerr << "step_table: " << error.what() << "\nusage: step_table [TRIANGLES...]\n";
-    return 2;
-  }
-  return 0;
+  const TickCosts costs{.program = "step_table",
+                        .name = "step_cost",
+                        .title = "What a call of the step costs, processor time",
+                        .counted = "calls",
+                        .work = {{"sawn", sawn}, {"laid on", laid}}};
+  return print_tick_costs(costs, count, words);
 }
