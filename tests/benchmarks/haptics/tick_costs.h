@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "simulator/bone/bone.h"
+#include "simulator/mesh/bone.h"
 #include "tests/benchmarks/report/percentiles.h"
 
 namespace hallux::benchmarks {
