@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <utility>
 
 #include "tests/scenarios/site/block_site.h"
 #include "tests/support/worlds.h"
@@ -48,7 +49,7 @@ class ASawnBlock : public testing::Test {
     const std::vector<HeldCut> held = watch_.held(site_.kerfs, wholes);
     const auto step =
         std::ranges::find(site_.scenario.steps, StepKind::Remove, &OperationStep::kind);
-    const std::array fragments{FragmentInPieces{wholes.front(), site_.kerfs, free, out}};
+    const std::array fragments{FragmentInPieces{wholes.front(), site_.kerfs, std::move(free), out}};
     return wanted_part(*step, site_.plan, held, fragments);
   }
 
