@@ -79,18 +79,18 @@ class MovedBar {
 /// The attempt is made once.
 class MovedFragments : public ::testing::Test {
  protected:
-  static void SetUpTestSuite() { bar_ = std::make_unique<MovedBar>(); }
-  static void TearDownTestSuite() { bar_.reset(); }
+  static void SetUpTestSuite() { shared_bar = std::make_unique<MovedBar>(); }
+  static void TearDownTestSuite() { shared_bar.reset(); }
 
   BoneMoment moment_at(const std::string& done) const {
-    BoneMoment moment(bar_->history());
-    moment.move_to(bar_->tick(done));
+    BoneMoment moment(shared_bar->history());
+    moment.move_to(shared_bar->tick(done));
     return moment;
   }
-  const MovedBar& bar() const { return *bar_; }
+  const MovedBar& bar() const { return *shared_bar; }
 
  private:
-  static inline std::unique_ptr<MovedBar> bar_;
+  static inline std::unique_ptr<MovedBar> shared_bar;
 };
 
 /// Of a fragment's pieces that scoring finds and nobody took out.

@@ -28,12 +28,12 @@ class ChevronReplay : public testing::Test {
     scenario.patient.edge_mm = 0.9;
     const tests::TemporaryDirectory directory;
     WorkReport report;
-    material_ = make_replay(scenario, directory.path(), report);
+    shared_material = make_replay(scenario, directory.path(), report);
   }
-  static void TearDownTestSuite() { material_.reset(); }
+  static void TearDownTestSuite() { shared_material.reset(); }
 
-  const ReplayMaterial& material() const { return *material_; }
-  const simulator::BoneHistory& history() const { return *material_->bone->history; }
+  const ReplayMaterial& material() const { return *shared_material; }
+  const simulator::BoneHistory& history() const { return *shared_material->bone->history; }
   /// What is drawn at a tick.
   Scene scene_at(std::int64_t tick) {
     moment_ = std::make_unique<simulator::BoneMoment>(history());
@@ -49,7 +49,7 @@ class ChevronReplay : public testing::Test {
   std::int64_t last_tick() const { return material().samples.back().tick; }
 
  private:
-  static inline std::shared_ptr<const ReplayMaterial> material_;
+  static inline std::shared_ptr<const ReplayMaterial> shared_material;
   /// Whose patches the scene borrows.
   std::unique_ptr<simulator::BoneMoment> moment_;
 };
