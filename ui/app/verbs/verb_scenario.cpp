@@ -150,28 +150,28 @@ ExitCode prove_on(const VerbContext& context, const std::string& name) {
 }  // namespace
 
 void add_scenario_verb(CLI::App& app, VerbContext& context) {
-  CLI::App* verb = app.add_subcommand("scenario", "List, check and show operations");
+  CLI::App* verb = app.add_subcommand("scenario", "list, check, prove and show operations");
   verb->require_subcommand(1);
 
-  CLI::App* list = verb->add_subcommand("list", "List the scenarios that come with the program");
+  CLI::App* list = verb->add_subcommand("list", "list the scenarios that come with the program");
   choose(*list, context, [&context] { return list_on(context); });
 
   // The callbacks outlive this function, so what they read is shared between the option and the
   // callback.
   const auto file = std::make_shared<std::string>();
   CLI::App* check =
-      verb->add_subcommand("check", "Read a scenario and lay its planes on its patient");
+      verb->add_subcommand("check", "read a scenario and lay its planes on its patient");
   check->add_option("FILE", *file, "The scenario's JSON file")->required();
   choose(*check, context, [&context, file] { return check_on(context, *file); });
 
   const auto proved = std::make_shared<std::string>();
   CLI::App* prove = verb->add_subcommand(
-      "prove", "Let the perfect hand operate, without and with each fault that the scenario lists");
+      "prove", "let the perfect hand operate, without and with each fault that the scenario lists");
   prove->add_option("NAME", *proved, "A shipped scenario's name, or a file")->required();
   choose(*prove, context, [&context, proved] { return prove_on(context, *proved); });
 
   const auto name = std::make_shared<std::string>();
-  CLI::App* show = verb->add_subcommand("show", "Show a scenario with the origin of every number");
+  CLI::App* show = verb->add_subcommand("show", "show a scenario with the origin of every number");
   show->add_option("NAME", *name, "The scenario's name, as `scenario list` prints it")->required();
   choose(*show, context, [&context, name] { return show_on(context, *name); });
 }
