@@ -98,64 +98,64 @@ TEST(ToolsInHand, AScrewIsSeatedUntilItIsLeftOrAnotherToolIsTaken) {
 class AnOperationWithATray : public testing::Test {
  protected:
   AnOperationWithATray() {
-    session.make_ready(StepProgress({scenarios::StepKind::Fix}), LedSaw(),
-                       ToolsInHand(small_tray()));
-    session.begin();
-    session.run(attempt, device);
+    session_.make_ready(StepProgress({scenarios::StepKind::Fix}), LedSaw(),
+                        ToolsInHand(small_tray()));
+    session_.begin();
+    session_.run(attempt_, device_);
   }
   void said(CutEventKind kind, std::int32_t subject) {
-    session.apply(std::vector{event_of(kind, subject)}, 1.0);
+    session_.apply(std::vector{event_of(kind, subject)}, 1.0);
   }
 
-  NotedAttempt attempt;
-  NotedDevice device;
-  OperatingSession session{database::AttemptKind::Practice};
+  NotedAttempt attempt_;
+  NotedDevice device_;
+  OperatingSession session_{database::AttemptKind::Practice};
 };
 
 TEST_F(AnOperationWithATray, ChoosesWithTheDriveOffWhileTheTimeGoesOn) {
-  session.set_saw_on(true);
-  session.open_tray();
-  EXPECT_EQ(session.asked(), Asked::Tool);
-  EXPECT_FALSE(session.saw().is_on());
-  EXPECT_FALSE(session.is_led()) << "nobody leads while the tray is looked at";
-  EXPECT_FALSE(session.pausing().is_paused());
-  session.close_tray(2);
-  EXPECT_TRUE(session.is_led());
-  session.open_tray();
-  session.close_tray({});
-  session.open_tray();
-  session.close_tray(0);
-  EXPECT_THAT(attempt.told, ElementsAre("take 2")) << "the one in the hand is not taken anew";
+  session_.set_saw_on(true);
+  session_.open_tray();
+  EXPECT_EQ(session_.asked(), Asked::Tool);
+  EXPECT_FALSE(session_.saw().is_on());
+  EXPECT_FALSE(session_.is_led()) << "nobody leads while the tray is looked at";
+  EXPECT_FALSE(session_.pausing().is_paused());
+  session_.close_tray(2);
+  EXPECT_TRUE(session_.is_led());
+  session_.open_tray();
+  session_.close_tray({});
+  session_.open_tray();
+  session_.close_tray(0);
+  EXPECT_THAT(attempt_.told, ElementsAre("take 2")) << "the one in the hand is not taken anew";
 }
 
 TEST_F(AnOperationWithATray, GripsDrivesHomeAndLetsGo) {
-  session.work_forceps(std::nullopt);
-  EXPECT_THAT(attempt.told, IsEmpty()) << "nothing lies free";
-  session.work_forceps(4);
-  EXPECT_EQ(session.tools().forceps(), Forceps::Closing);
-  session.drive_home();
+  session_.work_forceps(std::nullopt);
+  EXPECT_THAT(attempt_.told, IsEmpty()) << "nothing lies free";
+  session_.work_forceps(4);
+  EXPECT_EQ(session_.tools().forceps(), Forceps::Closing);
+  session_.drive_home();
   said(CutEventKind::Gripped, 1);
-  session.drive_home();
-  session.work_forceps(std::nullopt);
-  EXPECT_THAT(attempt.told, ElementsAre("grip 4", "impact", "release"));
+  session_.drive_home();
+  session_.work_forceps(std::nullopt);
+  EXPECT_THAT(attempt_.told, ElementsAre("grip 4", "impact", "release"));
 }
 
 TEST_F(AnOperationWithATray, LeavesWhatStandsInBoneAndTakesWhatItLeft) {
-  session.leave_or_take(true, std::nullopt);
-  EXPECT_THAT(attempt.told, IsEmpty()) << "a saw leaves nothing";
+  session_.leave_or_take(true, std::nullopt);
+  EXPECT_THAT(attempt_.told, IsEmpty()) << "a saw leaves nothing";
   said(CutEventKind::ToolChosen, 1);
-  session.leave_or_take(true, 0);
-  session.leave_or_take(false, 0);
-  session.leave_or_take(false, std::nullopt);
-  EXPECT_THAT(attempt.told, ElementsAre("leave", "take hold 0", "leave"));
+  session_.leave_or_take(true, 0);
+  session_.leave_or_take(false, 0);
+  session_.leave_or_take(false, std::nullopt);
+  EXPECT_THAT(attempt_.told, ElementsAre("leave", "take hold 0", "leave"));
 }
 
 TEST_F(AnOperationWithATray, HearsNoToolWhilePaused) {
-  session.pause(PausedBy::Person);
-  session.open_tray();
-  session.work_forceps(1);
-  EXPECT_EQ(session.asked(), Asked::Nothing);
-  EXPECT_THAT(attempt.told, ElementsAre("pause"));
+  session_.pause(PausedBy::Person);
+  session_.open_tray();
+  session_.work_forceps(1);
+  EXPECT_EQ(session_.asked(), Asked::Nothing);
+  EXPECT_THAT(attempt_.told, ElementsAre("pause"));
 }
 
 }  // namespace
