@@ -12,7 +12,6 @@ namespace hallux::ui {
 
 namespace {
 
-using simulator::Bone;
 using simulator::CutEvent;
 using simulator::CutEventKind;
 using simulator::FragmentPoses;

@@ -40,6 +40,7 @@ void QuestionsScreen::draw_list(Ui& ui, const Rect& content) {
     return;
   }
   std::vector<const database::HelpRequest*> shown;
+  shown.reserve(questions.size());
   for (const database::HelpRequest& each : questions) shown.push_back(&each);
   if (chosen_.number == 0) chosen_ = shown.front()->id;
   const int opened =
