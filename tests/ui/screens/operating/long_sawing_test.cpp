@@ -79,7 +79,8 @@ MemoryUse memory_at_rest() {
   return use;
 }
 
-/// Jobs on their own thread, waited for where virtual time runs ahead of them.
+/// Jobs on their own thread. Virtual time waits for each, so that the same motion asks for the same
+/// jobs on a machine that is busy.
 class WaitedJobs final : public simulator::JobRunner {
  public:
   WaitedJobs(const simulator::WholeBone& whole, const simulator::SimulationSetup& setup)
@@ -87,17 +88,28 @@ class WaitedJobs final : public simulator::JobRunner {
 
   bool apply(const StepOutput& output) override {
     requests += output.requests.size();
+    awaited_ += output.requests.size();
     while (!jobs_.has_room()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return jobs_.apply(output);
   }
   bool has_room() const noexcept override { return true; }
   std::exception_ptr failure() const noexcept override { return jobs_.failure(); }
-  JobResult* take_ready() noexcept override { return jobs_.take_ready(); }
+  JobResult* take_ready() noexcept override {
+    while (awaited_ > 0 && failure() == nullptr) {
+      if (JobResult* const result = jobs_.take_ready()) {
+        --awaited_;
+        return result;
+      }
+      std::this_thread::sleep_for(std::chrono::microseconds(100));
+    }
+    return nullptr;
+  }
 
   std::size_t requests = 0;
 
  private:
   simulator::ThreadedJobs jobs_;
+  std::size_t awaited_ = 0;
 };
 
 /// Beside the kerf that goes through.
