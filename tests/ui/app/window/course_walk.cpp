@@ -305,9 +305,6 @@ class Walker {
   void look_under_messages() {
     const Rect display = driver().ui().display();
     if (display.w < 1000.0F || display.h < 600.0F) return;
-    if (driver().covered_by_messages().empty()) return;
-    // An operation draws on and on: what came with its last frame is made room for in the next.
-    driver().frame();
     for (const std::string& covered : driver().covered_by_messages()) throw Fault(covered);
   }
 
