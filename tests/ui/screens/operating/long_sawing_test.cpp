@@ -89,10 +89,9 @@ class WaitedJobs final : public simulator::JobRunner {
   bool apply(const StepOutput& output) override {
     requests += output.requests.size();
     awaited_ += output.requests.size();
-    while (!jobs_.has_room()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return jobs_.apply(output);
   }
-  bool has_room() const noexcept override { return true; }
+  bool has_room() const noexcept override { return jobs_.has_room(); }
   std::exception_ptr failure() const noexcept override { return jobs_.failure(); }
   JobResult* take_ready() noexcept override {
     while (awaited_ > 0 && failure() == nullptr) {
