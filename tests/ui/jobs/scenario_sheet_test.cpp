@@ -48,7 +48,7 @@ TEST(ScenarioSheet, SaysAnglesLengthsAndTheOrderOfSteps) {
         "screw of 2.5 to 3 mm from screw_entry along screw_axis", "20 to 24 mm deep",
         "2 mm clear of head_surface", "[fix screw, after hold]",
         "[retract, after verify, optional]", "medial_of_shaft turned by 5 deg about shaft",
-        "shifted of head below 1", "shift_mm of head above 8 mm"})
+        "shifted of head below 1 caps the score", "shift_mm of head above 8 mm"})
     EXPECT_NE(sheet.find(line), std::string::npos) << line << "\n" << sheet;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "assessment/number_text.h"
 #include "scenarios/steps/step_words.h"
 #include "ui/jobs/course/operation_sheet.h"
 #include "ui/jobs/course/sheet_text.h"
@@ -145,6 +146,11 @@ void write_danger_zones(std::ostream& out, const Scenario& scenario) {
   }
 }
 
+/// What stands behind a number; a count and a share have nothing.
+std::string unit_behind(const std::string& unit) {
+  return unit.empty() ? "" : " " + assessment::unit_text(unit);
+}
+
 void write_item(std::ostream& out, const RubricItem& item) {
   out << "    " << item.id << " " << item.title << ": " << points_text(item.weight_milli)
       << " points for " << item.metric
@@ -156,7 +162,7 @@ void write_item(std::ostream& out, const RubricItem& item) {
   } else {
     out << "; full up to " << sheet_number(item.full) << ", none from " << sheet_number(item.zero);
   }
-  out << " " << item.unit << provisional_text(item.is_provisional) << "\n";
+  out << unit_behind(item.unit) << provisional_text(item.is_provisional) << "\n";
   write_origin(out, item.origin);
 }
 
@@ -181,8 +187,8 @@ void write_rubric(std::ostream& out, const Rubric& rubric) {
   for (const Gate& gate : rubric.gates) {
     out << "  " << gate.title << ": " << gate.metric
         << (subject_of(gate).empty() ? "" : " of " + subject_of(gate))
-        << (gate.is_at_least ? " below " : " above ") << sheet_number(gate.limit) << " "
-        << gate.unit << " caps the score at " << points_text(gate.cap_milli)
+        << (gate.is_at_least ? " below " : " above ") << sheet_number(gate.limit)
+        << unit_behind(gate.unit) << " caps the score at " << points_text(gate.cap_milli)
         << provisional_text(gate.is_provisional) << "\n";
     write_origin(out, gate.origin);
   }
